@@ -1,0 +1,259 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_IO_READ_DISTANCE_CLOUD_H
+#define CGAL_WIREFRAME_EXTRACTION_IO_READ_DISTANCE_CLOUD_H
+
+#include <CGAL/Wireframe_extraction/IO/internal/Ply_cloud_reader.h>
+#include <CGAL/Wireframe_extraction/IO/internal/Sample_filter.h>
+#include <CGAL/Wireframe_extraction/IO/internal/Text_cloud_reader.h>
+#include <CGAL/Wireframe_extraction/IO/internal/file_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/parameters.h>
+
+#include <cstddef>
+#include <fstream>
+#include <limits>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace IO {
+namespace internal {
+
+enum class Cloud_format { PLY, TEXT, UNKNOWN };
+
+inline Cloud_format find_cloud_format(const std::string& filename)
+{
+  const std::string extension = lower_extension(filename);
+  if(extension == ".ply")
+    return Cloud_format::PLY;
+  for(const char* const text : { ".xyz", ".txt", ".csv", ".asc", ".pts" })
+    if(extension == text)
+      return Cloud_format::TEXT;
+  return Cloud_format::UNKNOWN;
+}
+
+// puts samples at the end of a vector of pairs
+template <class Point, class FT>
+struct Cloud_sink
+{
+  std::vector<std::pair<Point, FT>>& cloud;
+
+  bool operator()(const Distance_sample* first, const Distance_sample* last)
+  {
+    for(; first != last; ++first)
+      cloud.emplace_back(Point(first->x, first->y, first->z), FT(first->distance));
+    return true;
+  }
+};
+
+template <class FT>
+double largest_magnitude_of()
+{
+  if constexpr(std::is_floating_point<FT>::value && sizeof(FT) < sizeof(double))
+    return static_cast<double>((std::numeric_limits<FT>::max)());
+  else
+    return (std::numeric_limits<double>::max)();
+}
+
+// returns what went wrong, nothing if all went well
+template <class Point, class FT>
+std::string read_cloud(const std::string& filename, const Cloud_reader_options& options,
+                       std::vector<std::pair<Point, FT>>& cloud, std::size_t& number_of_skipped)
+{
+  const Cloud_format format = find_cloud_format(filename);
+  if(format == Cloud_format::UNKNOWN)
+    return filename + ": unknown extension " + quote(lower_extension(filename))
+           + " of a point cloud; known are .ply (ascii or binary) and .xyz .txt .csv .asc .pts (text)";
+  std::ifstream stream;
+  std::string error;
+  if(!open_input_file(filename, stream, error))
+    return error;
+  Cloud_sink<Point, FT> sink = { cloud };
+  if(format == Cloud_format::TEXT)
+  {
+    Text_cloud_reader reader(stream, filename, options);
+    reader.read(sink);
+    number_of_skipped = reader.filter().number_of_invalid();
+    return reader.error();
+  }
+  Ply_cloud_reader reader(stream, filename, options);
+  if(reader.read_header())
+  {
+    cloud.reserve(reader.trusted_number_of_vertices());
+    reader.read(sink);
+  }
+  number_of_skipped = reader.filter().number_of_invalid();
+  return reader.error();
+}
+
+template <class NamedParameters>
+std::string get_distance_property(const NamedParameters& np)
+{
+  namespace internal_np = CGAL::Wireframe_extraction::internal_np;
+  return CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter_reference(np, internal_np::distance_property), std::string());
+}
+
+// `distances_filename` may be null
+template <class Point, class FT, class NamedParameters>
+bool read_distance_cloud_of_files(const std::string& filename, const std::string* distances_filename,
+                                  std::vector<std::pair<Point, FT>>& cloud, const NamedParameters& np)
+{
+  namespace internal_np = CGAL::Wireframe_extraction::internal_np;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+
+  Cloud_reader_options options;
+  options.distance_property = get_distance_property(np);
+  options.skip_invalid = choose_parameter(get_parameter(np, internal_np::skip_invalid), false);
+  options.largest_magnitude = largest_magnitude_of<FT>();
+
+  std::string error;
+  std::size_t number_of_skipped = 0;
+  std::vector<std::pair<Point, FT>> result;
+  try
+  {
+    Separate_distances distances;
+    if(distances_filename != nullptr)
+    {
+      std::ifstream stream;
+      options.distances = &distances;
+      if(open_input_file(*distances_filename, stream, error))
+        read_separate_distances(stream, *distances_filename, distances, error);
+    }
+    if(error.empty())
+      error = read_cloud(filename, options, result, number_of_skipped);
+  }
+  catch(const std::bad_alloc&)
+  {
+    error = filename + ": there is not enough memory for its points";
+  }
+  catch(const std::length_error&)
+  {
+    error = filename + ": there is not enough memory for its points";
+  }
+  if(error.empty())
+    cloud.swap(result);
+
+  std::size_t* const skipped = choose_parameter(get_parameter(np, internal_np::number_of_skipped),
+                                                static_cast<std::size_t*>(nullptr));
+  if(skipped != nullptr)
+    *skipped = (error.empty() ? number_of_skipped : 0);
+  return report(np, error);
+}
+
+} // namespace internal
+
+/// \ingroup PkgWireframeExtractionIO
+/// reads a point cloud with a distance per point from one file.
+///
+/// The extension of the file, in upper or lower case, decides on the format:
+/// - `.ply`: ascii or binary of either byte order. The element `vertex` needs the properties `x`, `y`, `z`
+///   and one for the distance, each a floating point number or integer of any size, in any order. Other
+///   properties and other elements are passed over.
+/// - `.xyz`, `.txt`, `.csv`, `.asc`, `.pts`: text with one point per line, whose columns are separated by
+///   blanks, commas, or semicolons. The distance is in the fourth column, unless a line of names before the
+///   first point (which may be a comment) says otherwise. Comments start with `#` or `//`; a first line that
+///   holds only the number of points is checked against it. Every line must have as many columns as the
+///   first.
+///
+/// Decimals are written with a point whatever the locale. Coordinates and distances have to be finite and the
+/// distances not negative, else the file is refused, or the points left out with `skip_invalid()`.
+///
+/// \tparam Point a type constructible from three `double` coordinates
+/// \tparam FT a number type constructible from `double`
+/// \tparam NamedParameters a sequence of named parameters
+///
+/// \param filename the name of the file
+/// \param cloud the points and their distances, in the order of the file. What it held before is replaced;
+///   it is left as it was if reading fails.
+/// \param np an optional sequence of named parameters among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{distance_property}
+///     \cgalParamDescription{the name of the property or column that holds the distances}
+///     \cgalParamType{`std::string`}
+///     \cgalParamDefault{the first that is there of `distance`, `distances`, `sharpness`, `scalar_distance`,
+///                       `quality`}
+///     \cgalParamExtra{A name that differs in case only is taken if there is no exact match.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{skip_invalid}
+///     \cgalParamDescription{whether points with a coordinate or distance that is not finite, or a negative
+///                           distance, are left out instead of being an error}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_skipped}
+///     \cgalParamDescription{receives the number of points that were left out}
+///     \cgalParamType{`std::size_t*`}
+///     \cgalParamDefault{a null pointer: nothing is received}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{error_message}
+///     \cgalParamDescription{receives what went wrong, where in the file, and what helps; empty on success}
+///     \cgalParamType{`std::string*`}
+///     \cgalParamDefault{a null pointer: nothing is received}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return `true` if the cloud was read and has at least one point, else `false`: the file does not exist or
+///   cannot be read, its extension is unknown, it is malformed, truncated or empty, its distances are
+///   missing, or it has points that cannot be used and `skip_invalid` is `false`.
+///
+/// Reading takes time linear in the size of the file, and memory for the points that are there (whatever
+/// number a header promises).
+template <class Point, class FT, typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool read_distance_cloud(const std::string& filename, std::vector<std::pair<Point, FT>>& cloud,
+                         const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  return internal::read_distance_cloud_of_files(filename, nullptr, cloud, np);
+}
+
+/// \ingroup PkgWireframeExtractionIO
+/// reads a point cloud from one file and the distances of its points from another.
+///
+/// The cloud may be in any format of the other overload, but only its coordinates are looked at: a text file
+/// needs three columns, a PLY file the properties `x`, `y` and `z`. The file of distances is text with one
+/// number per line, in the order of the points; blank lines, comments that start with `#` or `//`, and one
+/// line with a name at its top are allowed.
+///
+/// \tparam Point a type constructible from three `double` coordinates
+/// \tparam FT a number type constructible from `double`
+/// \tparam NamedParameters a sequence of named parameters
+///
+/// \param filename the name of the file of the cloud
+/// \param distances_filename the name of the file of the distances
+/// \param cloud the points and their distances, in the order of the files. What it held before is replaced;
+///   it is left as it was if reading fails.
+/// \param np an optional sequence of named parameters among `skip_invalid`, `number_of_skipped` and
+///   `error_message`, with the meaning they have for the other overload
+///
+/// \return `true` if the cloud was read and has at least one point, else `false`: for the reasons of the
+///   other overload, or because the two files differ in their number of points.
+///
+/// Reading takes time linear in the size of the files, and memory for the points that are there.
+template <class Point, class FT, typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool read_distance_cloud(const std::string& filename, const std::string& distances_filename,
+                         std::vector<std::pair<Point, FT>>& cloud,
+                         const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  return internal::read_distance_cloud_of_files(filename, &distances_filename, cloud, np);
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_IO_READ_DISTANCE_CLOUD_H

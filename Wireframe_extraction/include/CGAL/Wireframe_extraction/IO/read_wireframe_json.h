@@ -1,0 +1,366 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_IO_READ_WIREFRAME_JSON_H
+#define CGAL_WIREFRAME_EXTRACTION_IO_READ_WIREFRAME_JSON_H
+
+#include <CGAL/Wireframe_extraction/IO/internal/file_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/text_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe_tools.h>
+#include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/parameters.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <istream>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace IO {
+namespace internal {
+
+// Turns a JSON document into a wireframe. Every function returns whether all was well, and says in `error()`
+// what was not.
+template <class GeomTraits>
+class Wireframe_json_reader
+{
+public:
+  typedef CGAL::Wireframe<GeomTraits> Wireframe;
+  typedef CGAL::Wireframe_curve<GeomTraits> Curve;
+  typedef typename GeomTraits::FT FT;
+  typedef typename GeomTraits::Point_3 Point_3;
+
+  explicit Wireframe_json_reader(const GeomTraits& traits) : traits_(traits) {}
+
+  bool read(std::istream& stream, Wireframe& wireframe)
+  {
+    Json document;
+    return parse(stream, document) && check_format(document) && read_document(document, wireframe);
+  }
+
+  const std::string& error() const { return error_; }
+
+private:
+  typedef nlohmann::json Json;
+
+  bool fail(const std::string& error)
+  {
+    error_ = place_ + error;
+    return false;
+  }
+
+  bool parse(std::istream& stream, Json& document)
+  {
+    if(stream.peek() == std::istream::traits_type::eof())
+      return fail(stream.bad() ? "cannot be read" : "is empty");
+    try
+    {
+      document = Json::parse(stream);
+    }
+    catch(const Json::exception& exception)
+    {
+      // the text starts with a name of the exception in brackets
+      const std::string text = exception.what();
+      const std::size_t end = text.find("] ");
+      return fail("is no valid JSON, or truncated: "
+                  + printable(text.substr(end == std::string::npos ? 0 : end + 2), 200));
+    }
+    catch(const std::bad_alloc&)
+    {
+      return fail("there is not enough memory to read it");
+    }
+    return true;
+  }
+
+  bool check_format(const Json& document)
+  {
+    if(!document.is_object() || !document.contains("format") || document["format"] != "wireframe")
+      return fail("is no wireframe: a wireframe is a JSON object with \"format\":\"wireframe\"");
+    if(!document.contains("version") || !document["version"].is_number_integer())
+      return fail("has no \"version\" that is an integer");
+    if(document["version"] != 1)
+      return fail("has version " + document["version"].dump() + ", only version 1 is known");
+    return true;
+  }
+
+  bool read_document(const Json& document, Wireframe& wireframe)
+  {
+    Wireframe result;
+    double sampling_distance = 0.;
+    const Json* curves = nullptr;
+    if(!read_number(document, "sampling_distance", sampling_distance)
+       || !read_points(document, "vertices", result.vertices)
+       || !find_array(document, "curves", curves))
+      return false;
+    result.sampling_distance = FT(sampling_distance);
+    for(std::size_t i = 0; i < curves->size(); ++i)
+    {
+      place_ = "curve " + std::to_string(i) + ": ";
+      Curve curve;
+      if(!read_curve((*curves)[i], curve))
+        return false;
+      result.curves.push_back(std::move(curve));
+    }
+    place_.clear();
+    const std::string problem = wireframe_problem(result, traits_);
+    if(!problem.empty())
+      return fail(problem);
+    wireframe = std::move(result);
+    return true;
+  }
+
+  // ---- one curve ----
+
+  bool read_curve(const Json& json, Curve& curve)
+  {
+    if(!json.is_object())
+      return fail("it is no JSON object");
+    double root_mean_square = 0., maximum_deviation = 0.;
+    std::size_t support = 0;
+    if(!read_type(json, curve.type)
+       || !read_vertex(json, "source", curve.source) || !read_vertex(json, "target", curve.target)
+       || (json.contains("rms") && !read_number(json, "rms", root_mean_square))
+       || (json.contains("max") && !read_number(json, "max", maximum_deviation))
+       || (json.contains("support") && !read_count(json, "support", support)))
+      return false;
+    curve.root_mean_square = FT(root_mean_square);
+    curve.maximum_deviation = FT(maximum_deviation);
+    curve.support = support;
+    return read_spline(json, curve);
+  }
+
+  bool read_spline(const Json& json, Curve& curve)
+  {
+    std::size_t degree = 0;
+    std::vector<FT> knots, weights;
+    std::vector<Point_3> control_points;
+    if(!json.contains("closed") || !json["closed"].is_boolean())
+      return fail("\"closed\" has to be true or false");
+    if(!read_count(json, "degree", degree) || !read_numbers(json, "knots", knots)
+       || !read_points(json, "control_points", control_points)
+       || (json.contains("weights") && !read_numbers(json, "weights", weights)))
+      return false;
+    if(json.contains("weights") && weights.empty())
+      return fail("\"weights\" is empty; a curve without weights does not have that key");
+    std::string why;
+    if(degree > control_points.size())
+      return fail("degree " + std::to_string(degree) + " needs more than that many control points; there are "
+                  + std::to_string(control_points.size()));
+    if(!Curve::Spline::is_valid(degree, knots, control_points, weights, &why, traits_))
+      return fail(why);
+    curve.spline = typename Curve::Spline(degree, std::move(knots), std::move(control_points),
+                                          std::move(weights),
+                                          json["closed"].template get<bool>(), traits_);
+    return true;
+  }
+
+  bool read_type(const Json& json, Wireframe_curve_type& type)
+  {
+    const Wireframe_curve_type types[] = {
+      Wireframe_curve_type::BSPLINE, Wireframe_curve_type::LINE, Wireframe_curve_type::CIRCLE,
+      Wireframe_curve_type::ARC, Wireframe_curve_type::ELLIPSE, Wireframe_curve_type::ELLIPTIC_ARC };
+    std::string names;
+    for(const Wireframe_curve_type known : types)
+    {
+      type = known;
+      if(json.contains("type") && json["type"] == name_of(known))
+        return true;
+      names += std::string(names.empty() ? "" : ", ") + name_of(known);
+    }
+    return fail("\"type\" is " + found(json, "type") + ", it has to be one of " + names);
+  }
+
+  // null or nothing stands for no vertex
+  bool read_vertex(const Json& json, const char* key, std::size_t& vertex)
+  {
+    vertex = Curve::no_vertex;
+    if(!json.contains(key) || json[key].is_null())
+      return true;
+    if(!read_count(json, key, vertex))
+      return false;
+    // a number in the file must not be taken for the mark
+    return vertex != Curve::no_vertex || fail(quote(key) + " is " + found(json, key)
+                                              + ", there is no such vertex");
+  }
+
+  // ---- values ----
+
+  static std::string found(const Json& json, const char* key)
+  {
+    return json.contains(key) ? brief(json[key]) : std::string("missing");
+  }
+
+  static std::string brief(const Json& value)
+  {
+    if(value.is_structured())
+      return value.is_array() ? "an array" : "an object";
+    if(value.is_string())
+      return quote(value.get_ref<const std::string&>());
+    return value.dump();
+  }
+
+  static bool is_finite_number(const Json& value)
+  {
+    return value.is_number() && std::isfinite(value.get<double>());
+  }
+
+  bool read_number(const Json& json, const char* key, double& number)
+  {
+    if(!json.contains(key) || !is_finite_number(json[key]))
+      return fail(quote(key) + " is " + found(json, key) + ", it has to be a finite number");
+    number = json[key].get<double>();
+    return true;
+  }
+
+  bool read_count(const Json& json, const char* key, std::size_t& count)
+  {
+    if(!json.contains(key) || !json[key].is_number_unsigned())
+      return fail(quote(key) + " is " + found(json, key) + ", it has to be a natural number");
+    count = json[key].get<std::size_t>();
+    return true;
+  }
+
+  bool find_array(const Json& json, const char* key, const Json*& array)
+  {
+    if(!json.contains(key) || !json[key].is_array())
+      return fail(quote(key) + " is " + found(json, key) + ", it has to be an array");
+    array = &json[key];
+    return true;
+  }
+
+  bool read_numbers(const Json& json, const char* key, std::vector<FT>& numbers)
+  {
+    const Json* array = nullptr;
+    if(!find_array(json, key, array))
+      return false;
+    numbers.reserve(array->size());
+    for(const Json& value : *array)
+    {
+      if(!is_finite_number(value))
+        return fail(quote(key) + " holds at index " + std::to_string(numbers.size()) + " " + brief(value)
+                    + ", which is no finite number");
+      numbers.push_back(FT(value.get<double>()));
+    }
+    return true;
+  }
+
+  bool read_points(const Json& json, const char* key, std::vector<Point_3>& points)
+  {
+    const Json* array = nullptr;
+    if(!find_array(json, key, array))
+      return false;
+    points.reserve(array->size());
+    for(const Json& value : *array)
+    {
+      if(!value.is_array() || value.size() != 3 || !is_finite_number(value[0]) || !is_finite_number(value[1])
+         || !is_finite_number(value[2]))
+        return fail(quote(key) + " holds at index " + std::to_string(points.size())
+                    + " something else than a point of three finite numbers");
+      points.push_back(traits_.construct_point_3_object()(FT(value[0].get<double>()),
+                                                          FT(value[1].get<double>()),
+                                                          FT(value[2].get<double>())));
+    }
+    return true;
+  }
+
+  const GeomTraits& traits_;
+  std::string place_;
+  std::string error_;
+};
+
+} // namespace internal
+
+/// \ingroup PkgWireframeExtractionIO
+/// reads a wireframe from a stream of wireframe JSON, version 1, as `write_wireframe_json()` writes it.
+///
+/// Everything is checked: the format and its version, that all numbers are finite, that degree, knots,
+/// control points and weights of a curve make a clamped B-spline, that its vertices exist, that an open curve
+/// starts and ends at its vertices and a closed one where it starts. Keys that are not known are passed over.
+/// A curve may lack `weights`, `rms`, `max` and `support`, and if it is closed, `source` and `target`.
+///
+/// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
+/// \tparam NamedParameters a sequence of named parameters
+///
+/// \param stream the stream
+/// \param wireframe the wireframe. What it held before is replaced; it is left as it was if reading fails.
+/// \param np an optional sequence of named parameters among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{error_message}
+///     \cgalParamDescription{receives what went wrong, with the index of the curve; empty on success}
+///     \cgalParamType{`std::string*`}
+///     \cgalParamDefault{a null pointer: nothing is received}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of the traits class of the wireframe}
+///     \cgalParamType{`GeomTraits`}
+///     \cgalParamDefault{a default constructed object}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return `true` if a valid wireframe was read (which may have no curve), else `false`.
+///
+/// Takes time and memory linear in the size of the text. Needs the library nlohmann-json.
+template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool read_wireframe_json(std::istream& stream, CGAL::Wireframe<GeomTraits>& wireframe,
+                         const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  const GeomTraits traits = internal::get_geom_traits<GeomTraits>(np);
+  internal::Wireframe_json_reader<GeomTraits> reader(traits);
+  reader.read(stream, wireframe);
+  return internal::report(np, reader.error());
+}
+
+/// \ingroup PkgWireframeExtractionIO
+/// reads a wireframe from a file of wireframe JSON, version 1.
+///
+/// What is read and checked is that of the overload for a stream.
+///
+/// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
+/// \tparam NamedParameters a sequence of named parameters
+///
+/// \param filename the name of the file
+/// \param wireframe the wireframe. What it held before is replaced; it is left as it was if reading fails.
+/// \param np an optional sequence of named parameters among those of the overload for a stream; messages
+///   start with the name of the file
+///
+/// \return `true` if a valid wireframe was read (which may have no curve), else `false`: the file cannot be
+///   read, or what it holds is not valid.
+///
+/// Takes time and memory linear in the size of the file. Needs the library nlohmann-json.
+template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool read_wireframe_json(const std::string& filename, CGAL::Wireframe<GeomTraits>& wireframe,
+                         const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  const GeomTraits traits = internal::get_geom_traits<GeomTraits>(np);
+  std::ifstream stream;
+  std::string error;
+  if(internal::open_input_file(filename, stream, error))
+  {
+    internal::Wireframe_json_reader<GeomTraits> reader(traits);
+    if(!reader.read(stream, wireframe))
+      error = filename + ": " + reader.error();
+  }
+  return internal::report(np, error);
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_IO_READ_WIREFRAME_JSON_H

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_H
+#define CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_H
+
+#include <CGAL/Wireframe_extraction/IO/internal/file_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/IO/write_wireframe_json.h>
+#include <CGAL/Wireframe_extraction/IO/write_wireframe_obj.h>
+#include <CGAL/Wireframe_extraction/IO/write_wireframe_ply.h>
+#include <CGAL/Wireframe_extraction/IO/write_wireframe_polylines.h>
+#include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/parameters.h>
+
+#include <string>
+
+namespace CGAL {
+namespace IO {
+
+/// \ingroup PkgWireframeExtractionIO
+/// writes a wireframe into a file, in the format that the extension of the file (in upper or lower case)
+/// names:
+/// - `.json`: `write_wireframe_json()`
+/// - `.obj`: `write_wireframe_obj()`
+/// - `.ply`: `write_wireframe_ply()`
+/// - `.txt` (thus `.polylines.txt`) and `.cgal`: `write_wireframe_polylines()`
+///
+/// The file is written as a whole or not at all: on failure a file of this name is as it was before, and
+/// nothing else is left behind.
+///
+/// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
+/// \tparam NamedParameters a sequence of named parameters
+///
+/// \param filename the name of the file
+/// \param wireframe the wireframe
+/// \param np an optional sequence of named parameters: `error_message`, `geom_traits`, and those of the
+///   function for the format. A parameter that a format has no use for is passed over.
+///
+/// \return `true` if all was written, else `false`: the wireframe has a number that is not finite, or is
+///   malformed in another way, the extension is unknown, or the file cannot be written.
+///
+/// Takes time and memory linear in the number of points written.
+template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool write_wireframe(const std::string& filename, const CGAL::Wireframe<GeomTraits>& wireframe,
+                     const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  const std::string extension = internal::lower_extension(filename);
+  if(extension == ".json")
+    return write_wireframe_json(filename, wireframe, np);
+  if(extension == ".obj")
+    return write_wireframe_obj(filename, wireframe, np);
+  if(extension == ".ply")
+    return write_wireframe_ply(filename, wireframe, np);
+  if(extension == ".txt" || extension == ".cgal")
+    return write_wireframe_polylines(filename, wireframe, np);
+  return internal::report(np, filename + ": unknown extension " + internal::quote(extension)
+                              + " of a wireframe; known are .json, .obj, .ply, .polylines.txt, .txt "
+                              "and .cgal");
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_H

@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_POLYLINES_H
+#define CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_POLYLINES_H
+
+#include <CGAL/Wireframe_extraction/IO/internal/Sampled_wireframe.h>
+#include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/parameters.h>
+
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace IO {
+namespace internal {
+
+template <class GeomTraits, class NamedParameters>
+bool write_polylines(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
+                     const NamedParameters& np,
+                     std::string& error)
+{
+  Sampled_wireframe sampled;
+  if(!sample_wireframe(wireframe, np, sampled, error))
+    return false;
+  for(const std::vector<std::size_t>& polyline : sampled.polylines)
+  {
+    out << std::to_string(polyline.size());
+    for(const std::size_t index : polyline)
+      out << " " << to_text(sampled.points[index]);
+    out << "\n";
+  }
+  return true;
+}
+
+} // namespace internal
+
+/// \ingroup PkgWireframeExtractionIO
+/// writes a wireframe into a stream in the polyline format of \cgal.
+///
+/// Every curve becomes a line of text: the number of its points, and the three coordinates of each, with all
+/// digits. This is the format in which the demos of \cgal and its mesh generation take feature polylines.
+/// Curves that meet at a vertex have exactly equal points there, and a closed polyline ends with the point it
+/// starts with.
+///
+/// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
+/// \tparam NamedParameters a sequence of named parameters
+///
+/// \param stream the stream
+/// \param wireframe the wireframe
+/// \param np an optional sequence of named parameters among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{sampling_step}
+///     \cgalParamDescription{the largest arc length between two neighbouring points of a curve}
+///     \cgalParamType{`GeomTraits::FT`}
+///     \cgalParamDefault{0.25 times the sampling distance of the wireframe; one hundredth of the longest
+///                       curve if that is 0}
+///     \cgalParamExtra{in the unit of the wireframe; has to be positive. A curve is split evenly into as few
+///                     pieces as that allows, a closed one into three at least.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{error_message}
+///     \cgalParamDescription{receives what went wrong; empty on success}
+///     \cgalParamType{`std::string*`}
+///     \cgalParamDefault{a null pointer: nothing is received}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of the traits class of the wireframe}
+///     \cgalParamType{`GeomTraits`}
+///     \cgalParamDefault{a default constructed object}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return `true` if all was written, else `false`: the wireframe has a number that is not finite, or is
+///   malformed in another way, or the stream cannot be written.
+///
+/// Takes time and memory linear in the number of points.
+template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool write_wireframe_polylines(std::ostream& stream, const CGAL::Wireframe<GeomTraits>& wireframe,
+                               const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  return internal::write_to_stream(stream, np, [&](std::ostream& out, std::string& error)
+  {
+    return internal::write_polylines(out, wireframe, np, error);
+  });
+}
+
+/// \ingroup PkgWireframeExtractionIO
+/// writes a wireframe into a file in the polyline format of \cgal.
+///
+/// The content is that of the overload for a stream.
+/// The file is written as a whole or not at all: on failure a file of this name is as it was before, and
+/// nothing else is left behind.
+///
+/// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
+/// \tparam NamedParameters a sequence of named parameters
+///
+/// \param filename the name of the file
+/// \param wireframe the wireframe
+/// \param np an optional sequence of named parameters among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{sampling_step}
+///     \cgalParamDescription{the largest arc length between two neighbouring points of a curve}
+///     \cgalParamType{`GeomTraits::FT`}
+///     \cgalParamDefault{0.25 times the sampling distance of the wireframe; one hundredth of the longest
+///                       curve if that is 0}
+///     \cgalParamExtra{in the unit of the wireframe; has to be positive. A curve is split evenly into as few
+///                     pieces as that allows, a closed one into three at least.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{error_message}
+///     \cgalParamDescription{receives what went wrong; empty on success}
+///     \cgalParamType{`std::string*`}
+///     \cgalParamDefault{a null pointer: nothing is received}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of the traits class of the wireframe}
+///     \cgalParamType{`GeomTraits`}
+///     \cgalParamDefault{a default constructed object}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return `true` if all was written, else `false`: the wireframe has a number that is not finite, or is
+///   malformed in another way, or the file cannot be written.
+///
+/// Takes time and memory linear in the number of points.
+template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool write_wireframe_polylines(const std::string& filename, const CGAL::Wireframe<GeomTraits>& wireframe,
+                               const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error)
+  {
+    return internal::write_polylines(out, wireframe, np, error);
+  });
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_POLYLINES_H

@@ -1,0 +1,471 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_JOIN_CURVE_ENDS_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_JOIN_CURVE_ENDS_H
+
+#include <CGAL/Wireframe_extraction/internal/Curve_network.h>
+
+#include <Eigen/LU>
+
+#include <queue>
+#include <tuple>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// Where a curve ends is known well across the curve and badly along it. Such a belief is a Gaussian, and beliefs
+// about the same corner multiply.
+struct Position_belief
+{
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  Vector weighted = Vector::Zero();     // information * mean
+  double constant = 0.;                 // sum of mean^T information mean
+
+  static Position_belief along_line(const Vector& mean, const Vector& direction, double along, double across)
+  {
+    Position_belief belief;
+    const Eigen::Matrix3d parallel = direction * direction.transpose();
+    belief.information = (Eigen::Matrix3d::Identity() - parallel) / (across * across);
+    if (along < (std::numeric_limits<double>::infinity)())
+      belief.information += parallel / (along * along);
+    belief.weighted = belief.information * mean;
+    belief.constant = mean.dot(belief.weighted);
+    return belief;
+  }
+
+  Position_belief operator*(const Position_belief& other) const
+  {
+    Position_belief product;
+    product.information = information + other.information;
+    product.weighted = weighted + other.weighted;
+    product.constant = constant + other.constant;
+    return product;
+  }
+
+  Vector mean() const { return information.ldlt().solve(weighted); }
+
+  // sum of the squared, normalised deviations of the single beliefs from their common mean
+  double disagreement() const { return (std::max)(0., constant - weighted.dot(mean())); }
+};
+
+struct Joining_options
+{
+  double noise = 0.1;
+  double reach = 5.;              // ends farther apart are not compared
+  double maximum_disagreement = 12.;
+  double smooth_turn = 0.35;      // joints of two curves that turn by less are no corners
+
+  double maximum_bridge = 18.;    // gap between ends that face each other
+
+  double along() const { return 0.9 + 2. * noise; }
+  double across() const { return 0.2 + 0.7 * noise; }
+};
+
+// Joins the ends of traced curves to a network.
+class Curve_end_joiner
+{
+  typedef std::pair<std::size_t, int> Curve_end;
+
+  const Joining_options m_options;
+  Curve_network m_network;
+
+public:
+  Curve_end_joiner(const std::vector<Traced_curve>& curves, const Joining_options& options)
+    : m_options(options)
+  {
+    for (const Traced_curve& traced : curves) {
+      Network_curve curve;
+      curve.points = traced.points;
+      if (!traced.is_closed)
+        for (int e = 0; e < 2; ++e) {
+          curve.nodes[e] = m_network.nodes.size();
+          m_network.nodes.push_back(e == 0 ? traced.points.front() : traced.points.back());
+          curve.tips[e] = traced.tips[e];
+          curve.ends_in_void[e] = traced.ends_in_void[e];
+        }
+      m_network.curves.push_back(curve);
+    }
+  }
+
+  const Curve_network& network() const { return m_network; }
+
+  void join()
+  {
+    merge_ends_that_meet();
+    attach_ends_to_passing_curves();
+    dissolve_smooth_joints();
+    bridge_gaps();
+    dissolve_smooth_joints();
+  }
+
+  template <class Prune>
+  void prune(const Prune& prune_polylines)
+  {
+    std::vector<const std::vector<Vector>*> polylines;
+    for (const Network_curve& curve : m_network.curves)
+      polylines.push_back(curve.is_alive ? &curve.points : nullptr);
+    const std::vector<char> keep = prune_polylines(polylines);
+    for (std::size_t c = 0; c < keep.size(); ++c)
+      m_network.curves[c].is_alive = keep[c];
+    dissolve_smooth_joints();
+  }
+
+  // removes short pieces that nothing but themselves speaks for
+  void drop_spurs(double free_length, double dangling_length)
+  {
+    bool changed = true;
+    while (changed) {
+      changed = false;
+      const auto incidences = m_network.incidences();
+      for (Network_curve& curve : m_network.curves) {
+        if (!curve.is_alive || curve.is_closed_without_node())
+          continue;
+        const int free_ends = int(incidences[curve.nodes[0]].size() == 1) + int(incidences[curve.nodes[1]].size() == 1);
+        const double length = polyline_length(curve.points);
+        if ((free_ends == 2 && length < free_length) || (free_ends == 1 && length < dangling_length)) {
+          curve.is_alive = false;
+          changed = true;
+        }
+      }
+      if (changed)
+        dissolve_smooth_joints();
+    }
+  }
+
+private:
+  Position_belief belief(const Curve_end& end) const
+  {
+    const Network_curve& curve = m_network.curves[end.first];
+    const Local_curve& tip = curve.tips[end.second];
+    const double along = curve.ends_in_void[end.second] ? m_options.along() + 1.5 : m_options.along();
+    const double ahead = curve.ends_in_void[end.second] ? 1.3 : 0.3;
+    return Position_belief::along_line(tip.at(ahead), tip.tangent_at(ahead), along, m_options.across());
+  }
+
+  // agglomerative: the pair of clusters that agrees best goes first
+  void merge_ends_that_meet()
+  {
+    std::vector<Curve_end> ends;
+    std::vector<Vector> positions;
+    for (std::size_t c = 0; c < m_network.curves.size(); ++c)
+      if (m_network.curves[c].is_alive && !m_network.curves[c].is_closed_without_node())
+        for (int e = 0; e < 2; ++e) {
+          ends.emplace_back(c, e);
+          positions.push_back(m_network.curves[c].tips[e].point);
+        }
+    const Ball_search search(positions);
+    struct Cluster { Position_belief belief; std::vector<std::size_t> members; bool is_alive = true; };
+    std::vector<Cluster> clusters(ends.size());
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      clusters[i] = {belief(ends[i]), {i}, true};
+
+    typedef std::tuple<double, std::size_t, std::size_t> Candidate;
+    std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate> > queue;
+    const auto propose = [&](std::size_t a, std::size_t b) {
+      for (std::size_t i : clusters[a].members)
+        for (std::size_t j : clusters[b].members)
+          if (!may_meet(ends[i], ends[j]))
+            return;
+      const double cost = (clusters[a].belief * clusters[b].belief).disagreement()
+        - clusters[a].belief.disagreement() - clusters[b].belief.disagreement();
+      if (cost < m_options.maximum_disagreement)
+        queue.emplace(cost, (std::min)(a, b), (std::max)(a, b));
+    };
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      search.query(positions[i], m_options.reach, found);
+      for (std::size_t j : found)
+        if (i < j)
+          propose(i, j);
+    }
+    while (!queue.empty()) {
+      const std::size_t a = std::get<1>(queue.top()), b = std::get<2>(queue.top());
+      queue.pop();
+      if (!clusters[a].is_alive || !clusters[b].is_alive)
+        continue;
+      Cluster merged{clusters[a].belief * clusters[b].belief, clusters[a].members, true};
+      merged.members.insert(merged.members.end(), clusters[b].members.begin(), clusters[b].members.end());
+      clusters[a].is_alive = clusters[b].is_alive = false;
+      clusters.push_back(merged);
+      const Vector mean = merged.belief.mean();
+      for (std::size_t k = 0; k + 1 < clusters.size(); ++k)
+        if (clusters[k].is_alive && (clusters[k].belief.mean() - mean).norm() < m_options.reach)
+          propose(k, clusters.size() - 1);
+    }
+    for (const Cluster& cluster : clusters) {
+      if (!cluster.is_alive || cluster.members.size() < 2)
+        continue;
+      const std::size_t node = m_network.nodes.size();
+      m_network.nodes.push_back(cluster.belief.mean());
+      for (std::size_t i : cluster.members)
+        attach(ends[i], node);
+    }
+  }
+
+  // the two ends of one short curve are no corner
+  bool may_meet(const Curve_end& a, const Curve_end& b) const
+  {
+    return a.first != b.first || polyline_length(m_network.curves[a.first].points) > 8.;
+  }
+
+  // lets the curve end in the node: what went beyond it is cut off
+  void attach(const Curve_end& end, std::size_t node)
+  {
+    Network_curve& curve = m_network.curves[end.first];
+    const Vector& target = m_network.nodes[node];
+    if (end.second == 0)
+      std::reverse(curve.points.begin(), curve.points.end());
+    std::size_t nearest = 0;
+    const std::size_t first = curve.points.size() / 2;
+    double best = (std::numeric_limits<double>::infinity)();
+    for (std::size_t i = first; i < curve.points.size(); ++i) {
+      const double d = (curve.points[i] - target).squaredNorm();
+      if (d < best) { best = d; nearest = i; }
+    }
+    // the last points before the node lie where several curves disturb each other
+    while (nearest > first && nearest > 1 && (curve.points[nearest] - target).norm() < 0.75)
+      --nearest;
+    curve.points.resize(nearest + 1);
+    curve.points.push_back(target);
+    if (end.second == 0)
+      std::reverse(curve.points.begin(), curve.points.end());
+    curve.nodes[end.second] = node;
+  }
+
+  // a node next to the inside of another curve splits that curve
+  void attach_ends_to_passing_curves()
+  {
+    Segment_grid grid;
+    for (std::size_t c = 0; c < m_network.curves.size(); ++c)
+      if (m_network.curves[c].is_alive)
+        grid.add(c, m_network.curves[c].points);
+    struct Split { std::size_t node, curve; Segment_grid::Hit hit; };
+    std::vector<Split> splits;
+    const auto incidences = m_network.incidences();
+    for (std::size_t node = 0; node < incidences.size(); ++node) {
+      if (incidences[node].empty())
+        continue;
+      Position_belief common;
+      for (const Curve_end& end : incidences[node])
+        common = common * belief(end);
+      const Vector position = incidences[node].size() > 1 ? m_network.nodes[node] : common.mean();
+      std::vector<Segment_grid::Hit> best_of_curve;
+      grid.visit(position, 3., [&](const Segment_grid::Hit& hit) {
+        for (Segment_grid::Hit& other : best_of_curve)
+          if (other.curve == hit.curve) {
+            if (hit.distance < other.distance)
+              other = hit;
+            return;
+          }
+        best_of_curve.push_back(hit);
+      });
+      for (const Segment_grid::Hit& hit : best_of_curve) {
+        if (!is_inside(hit))
+          continue;
+        const Position_belief line = Position_belief::along_line(
+          hit.point, hit.direction, (std::numeric_limits<double>::infinity)(), m_options.across());
+        const Position_belief both = common * line;
+        if (both.disagreement() - common.disagreement() < m_options.maximum_disagreement)
+          splits.push_back({node, hit.curve, hit});
+      }
+    }
+    // splits of one curve, from its end to its beginning, keep the indices of the segments valid
+    std::sort(splits.begin(), splits.end(), [](const Split& a, const Split& b) {
+      return std::make_tuple(a.curve, b.hit.segment, a.node) < std::make_tuple(b.curve, a.hit.segment, b.node);
+    });
+    for (const Split& split : splits)
+      split_curve(split.curve, split.hit, split.node);
+  }
+
+  bool is_inside(const Segment_grid::Hit& hit) const
+  {
+    const std::vector<Vector>& points = m_network.curves[hit.curve].points;
+    if (m_network.curves[hit.curve].is_closed_without_node())
+      return true;
+    return (hit.point - points.front()).norm() > 2.5 && (hit.point - points.back()).norm() > 2.5;
+  }
+
+  void split_curve(std::size_t c, const Segment_grid::Hit& hit, std::size_t node)
+  {
+    const Curve_network& network = m_network;
+    std::vector<Vector> points = network.curves[c].points;
+    if (hit.segment + 1 >= points.size())
+      return;
+    const auto incidences = m_network.incidences();
+    if (incidences[node].size() == 1) {
+      m_network.nodes[node] = hit.point;
+      attach(incidences[node].front(), node);
+      points = network.curves[c].points;
+      if (hit.segment + 1 >= points.size())
+        return;
+    }
+    const Vector position = m_network.nodes[node];
+    if (network.curves[c].is_closed_without_node()) {
+      // a closed curve is opened at the node
+      std::vector<Vector> opened{position};
+      opened.insert(opened.end(), points.begin() + hit.segment + 1, points.end() - 1);
+      opened.insert(opened.end(), points.begin(), points.begin() + hit.segment + 1);
+      opened.push_back(position);
+      Network_curve& curve = m_network.curves[c];
+      curve.points = opened;
+      curve.nodes = {node, node};
+      set_tips(curve);
+      return;
+    }
+    Network_curve second = network.curves[c];
+    second.points.assign(points.begin() + hit.segment + 1, points.end());
+    second.points.insert(second.points.begin(), position);
+    second.nodes[0] = node;
+    set_tip(second, 0);
+    Network_curve& first = m_network.curves[c];
+    first.points.resize(hit.segment + 1);
+    first.points.push_back(position);
+    first.nodes[1] = node;
+    set_tip(first, 1);
+    m_network.curves.push_back(second);
+  }
+
+  static void set_tip(Network_curve& curve, int e)
+  {
+    const std::vector<Vector>& p = curve.points;
+    const Vector& end = e == 0 ? p.front() : p.back();
+    // the direction over about two sampling distances
+    Vector inner = e == 0 ? p.back() : p.front();
+    for (std::size_t k = 1; k < p.size(); ++k) {
+      const Vector& q = e == 0 ? p[k] : p[p.size() - 1 - k];
+      if ((q - end).norm() > 2.) { inner = q; break; }
+    }
+    curve.tips[e].point = end;
+    curve.tips[e].tangent = (end - inner).norm() > 0. ? (end - inner).normalized() : Vector(Vector::UnitX());
+    curve.tips[e].bend.setZero();
+    curve.ends_in_void[e] = false;
+  }
+
+  static void set_tips(Network_curve& curve) { set_tip(curve, 0); set_tip(curve, 1); }
+
+  // two curves that meet in a node where nothing else ends and that hardly turn there are one curve
+  void dissolve_smooth_joints()
+  {
+    for (bool changed = true; changed; ) {
+      changed = false;
+      const auto incidences = m_network.incidences();
+      std::vector<char> is_touched(m_network.curves.size(), 0);  // its incidences are out of date
+      for (const std::vector<Curve_end>& ends : incidences) {
+        if (ends.size() != 2 || is_touched[ends[0].first] || is_touched[ends[1].first]
+            || tip(ends[0]).tangent.dot(tip(ends[1]).tangent) > -std::cos(m_options.smooth_turn))
+          continue;
+        if (ends[0].first == ends[1].first)
+          close(m_network.curves[ends[0].first]);
+        else
+          concatenate(ends[0], ends[1]);
+        is_touched[ends[0].first] = is_touched[ends[1].first] = 1;
+        changed = true;
+      }
+    }
+  }
+
+  static void close(Network_curve& curve)
+  {
+    curve.nodes = {no_node, no_node};
+  }
+
+  // appends the curve of `b` to that of `a`; the latter's other end keeps its place
+  void concatenate(const Curve_end& a, const Curve_end& b)
+  {
+    Network_curve& first = m_network.curves[a.first];
+    Network_curve& second = m_network.curves[b.first];
+    std::vector<Vector> head = first.points, tail = second.points;
+    if (a.second == 0)
+      std::reverse(head.begin(), head.end());
+    if (b.second == 1)
+      std::reverse(tail.begin(), tail.end());
+    // the common node was an estimate of where they meet, no point of the curve
+    head.pop_back();
+    head.insert(head.end(), tail.begin() + 1, tail.end());
+    const int kept = 1 - a.second, taken = 1 - b.second;
+    Network_curve joined;
+    joined.points = head;
+    joined.nodes = {first.nodes[kept], second.nodes[taken]};
+    joined.tips = {first.tips[kept], second.tips[taken]};
+    joined.ends_in_void = {first.ends_in_void[kept], second.ends_in_void[taken]};
+    first = joined;
+    second.is_alive = false;
+  }
+
+  // free ends that face each other
+  void bridge_gaps()
+  {
+    const auto incidences = m_network.incidences();
+    std::vector<Curve_end> free_ends;
+    std::vector<Vector> positions;
+    for (std::size_t node = 0; node < incidences.size(); ++node)
+      if (incidences[node].size() == 1) {
+        free_ends.push_back(incidences[node][0]);
+        positions.push_back(tip(free_ends.back()).point);
+      }
+    const Ball_search search(positions);
+    std::vector<std::tuple<double, std::size_t, std::size_t> > candidates;
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < free_ends.size(); ++i) {
+      search.query(positions[i], m_options.maximum_bridge, found);
+      for (std::size_t j : found)
+        if (i < j) {
+          const double cost = bridging_cost(free_ends[i], free_ends[j]);
+          if (cost < 1.)
+            candidates.emplace_back(cost, i, j);
+        }
+    }
+    std::sort(candidates.begin(), candidates.end());
+    std::vector<char> is_taken(free_ends.size(), 0);
+    for (const auto& candidate : candidates) {
+      const std::size_t i = std::get<1>(candidate), j = std::get<2>(candidate);
+      if (is_taken[i] || is_taken[j])
+        continue;
+      is_taken[i] = is_taken[j] = 1;
+      const std::size_t node = m_network.nodes.size();
+      m_network.nodes.push_back(0.5 * (positions[i] + positions[j]));
+      for (std::size_t k : {i, j})
+        attach(free_ends[k], node);
+    }
+  }
+
+  const Local_curve& tip(const Curve_end& end) const { return m_network.curves[end.first].tips[end.second]; }
+
+  // below 1 where a smooth curve can lead from one end to the other
+  double bridging_cost(const Curve_end& a, const Curve_end& b) const
+  {
+    const Local_curve &ta = tip(a), &tb = tip(b);
+    const Vector offset = tb.point - ta.point;
+    const double gap = offset.norm();
+    const double infinity = (std::numeric_limits<double>::infinity)();
+    if (a.first == b.first && polyline_length(m_network.curves[a.first].points) < 8. + gap)
+      return infinity;
+    if (!(gap > 0.))
+      return 0.;
+    // the end of a circular arc that starts at one tip and passes through the other one
+    const Vector chord = offset / gap;
+    const Vector arrival = 2. * chord.dot(ta.tangent) * chord - ta.tangent;
+    const double mismatch = (arrival + tb.tangent).norm();
+    const double turn = 2. * std::acos((std::min)(1., (std::max)(-1., chord.dot(ta.tangent))));
+    const double limit = 0.35 + 0.5 * m_options.noise + 1.5 * m_options.across() / (gap + 1.);
+    if (turn > 1.2)
+      return infinity;
+    return (std::max)({mismatch / limit, turn / (0.35 + 0.06 * gap), gap / m_options.maximum_bridge});
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_JOIN_CURVE_ENDS_H

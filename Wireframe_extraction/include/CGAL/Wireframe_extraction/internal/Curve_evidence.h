@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_CURVE_EVIDENCE_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CURVE_EVIDENCE_H
+
+#include <CGAL/Wireframe_extraction/internal/Curve_network.h>
+#include <CGAL/Wireframe_extraction/internal/Segment_grid.h>
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// How much worse the field would be explained without a curve. The loss of a point is its squared residual in units
+// of the tolerance, at most 1; the gain of a curve is what the losses of its points would grow by without it.
+class Curve_evidence
+{
+  const Field_band& m_band;
+  double m_tolerance;
+
+  double loss(double residual) const
+  {
+    const double ratio = residual / m_tolerance;
+    return (std::min)(1., ratio * ratio);
+  }
+
+public:
+  struct Scores
+  {
+    std::vector<double> gains;                          // per curve
+    std::vector<std::vector<std::size_t> > neighbors;   // curves that would take over its points
+  };
+
+  Curve_evidence(const Field_band& band, double tolerance) : m_band(band), m_tolerance(tolerance) {}
+
+  // polylines[c] may be empty: no such curve
+  Scores scores(const std::vector<const std::vector<Vector>*>& polylines) const
+  {
+    Segment_grid grid;
+    for (std::size_t c = 0; c < polylines.size(); ++c)
+      if (polylines[c])
+        grid.add(c, *polylines[c]);
+    Scores result;
+    result.gains.assign(polylines.size(), 0.);
+    result.neighbors.resize(polylines.size());
+    const double far = 4.;
+    for (std::size_t i = 0; i < m_band.size(); ++i) {
+      std::size_t first = Segment_grid::no_curve, second = Segment_grid::no_curve;
+      double d1 = far, d2 = far;
+      grid.visit(m_band.points[i], far, [&](const Segment_grid::Hit& hit) {
+        if (hit.curve == first)
+          d1 = (std::min)(d1, hit.distance);
+        else if (hit.distance < d1) {
+          d2 = d1; second = first;
+          d1 = hit.distance; first = hit.curve;
+        } else if (hit.distance < d2) {
+          d2 = hit.distance; second = hit.curve;
+        }
+      });
+      if (first == Segment_grid::no_curve)
+        continue;
+      result.gains[first] += loss(m_band.distances[i] - d2) - loss(m_band.distances[i] - d1);
+      if (second != Segment_grid::no_curve && loss(m_band.distances[i] - d2) < 1.)
+        result.neighbors[first].push_back(second);
+    }
+    return result;
+  }
+
+  // Returns which of the curves to keep: without the others, worst first, the field is explained about as well.
+  std::vector<char> prune(std::vector<const std::vector<Vector>*> polylines, double least_gain,
+                          double least_gain_per_length) const
+  {
+    std::vector<char> keep(polylines.size());
+    for (std::size_t c = 0; c < polylines.size(); ++c)
+      keep[c] = polylines[c] != nullptr;
+    for (bool changed = true; changed; ) {
+      changed = false;
+      const Scores all = scores(polylines);
+      std::vector<double> worth(polylines.size(), 0.);
+      std::vector<std::size_t> order;
+      for (std::size_t c = 0; c < polylines.size(); ++c)
+        if (keep[c]) {
+          worth[c] = all.gains[c] - least_gain - least_gain_per_length * polyline_length(*polylines[c]);
+          if (worth[c] < 0.)
+            order.push_back(c);
+        }
+      std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return worth[a] < worth[b]; });
+      std::vector<char> is_affected(polylines.size(), 0);
+      for (std::size_t c : order) {
+        if (is_affected[c])
+          continue;
+        keep[c] = 0;
+        polylines[c] = nullptr;
+        changed = true;
+        for (std::size_t other : all.neighbors[c])
+          is_affected[other] = 1;
+      }
+    }
+    return keep;
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_CURVE_EVIDENCE_H

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_BAND_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_BAND_H
+
+#include <CGAL/Fuzzy_sphere.h>
+#include <CGAL/Kd_tree.h>
+#include <CGAL/Search_traits.h>
+#include <CGAL/Search_traits_adapter.h>
+#include <CGAL/Splitters.h>
+#include <CGAL/property_map.h>
+#include <CGAL/tags.h>
+
+#include <Eigen/Core>
+
+#include <boost/iterator/counting_iterator.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+typedef Eigen::Vector3d Vector;
+
+struct Construct_vector_coordinates
+{
+  typedef const double* result_type;
+  const double* operator()(const Vector& p) const { return p.data(); }
+  const double* operator()(const Vector& p, int) const { return p.data() + 3; }
+};
+
+// Ball queries over a vector of positions that stays where it is. Answers are indices.
+class Ball_search
+{
+  struct Position_map
+  {
+    typedef std::size_t key_type;
+    typedef Vector value_type;
+    typedef const Vector& reference;
+    typedef boost::lvalue_property_map_tag category;
+
+    const Vector* positions = nullptr;
+    friend reference get(const Position_map& map, key_type i) { return map.positions[i]; }
+    reference operator[](key_type i) const { return positions[i]; }
+  };
+  typedef CGAL::Search_traits<double, Vector, const double*, Construct_vector_coordinates,
+                              CGAL::Dimension_tag<3> > Base_traits;
+  typedef CGAL::Search_traits_adapter<std::size_t, Position_map, Base_traits> Traits;
+  typedef CGAL::Sliding_midpoint<Traits> Splitter;
+  typedef CGAL::Kd_tree<Traits, Splitter, CGAL::Tag_true, CGAL::Tag_true> Tree;
+  typedef CGAL::Fuzzy_sphere<Traits> Ball;
+
+  Position_map m_map;
+  std::unique_ptr<Tree> m_tree;
+
+public:
+  Ball_search() {}
+
+  explicit Ball_search(const std::vector<Vector>& positions) { build(positions, positions.size()); }
+
+  // indexes the first `count` positions
+  void build(const std::vector<Vector>& positions, std::size_t count)
+  {
+    m_map.positions = positions.data();
+    m_tree.reset();
+    if (count == 0)
+      return;
+    m_tree = std::make_unique<Tree>(boost::counting_iterator<std::size_t>(0),
+                                    boost::counting_iterator<std::size_t>(count),
+                                    Splitter(), Traits(m_map));
+    m_tree->build();
+  }
+
+  // writes the indices of the positions closer than `radius` to `center` into `found`
+  void query(const Vector& center, double radius, std::vector<std::size_t>& found) const
+  {
+    found.clear();
+    if (m_tree)
+      m_tree->search(std::back_inserter(found), Ball(center, radius, 0., m_tree->traits()));
+  }
+};
+
+// The points of a cloud that lie near features, with their distances, in units of the sampling distance and
+// relative to a common origin. They are sorted by distance, so that what lies under a smaller threshold is a prefix,
+// and so that no later stage depends on the order of the input.
+struct Field_band
+{
+  std::vector<Vector> points;
+  std::vector<double> distances;
+  std::vector<std::size_t> indices;   // into the cloud
+  std::size_t skeleton_size = 0;      // the first ones are the skeleton
+  Ball_search search;
+
+  std::size_t size() const { return points.size(); }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_BAND_H
