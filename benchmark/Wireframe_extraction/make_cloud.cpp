@@ -83,7 +83,7 @@ void check(Arguments& a)
   if (a.is_one_file() && !a.fields.empty())
     throw Usage_error("--fields is for an output directory; for one file give --field");
   if (!a.is_one_file() && (!a.field.empty() || !a.truth.empty()))
-    throw Usage_error("--field and --truth are for one output file (-o FILE.ply); a directory takes --fields");
+    throw Usage_error("--field and --truth are for one output file (-o FILE.ply), --fields for a directory");
   if (!a.truth.empty() && fs::path(a.truth).lexically_normal() == fs::path(a.output).lexically_normal())
     throw Usage_error("the cloud and its ground truth cannot be the same file");
   if (a.is_one_file())
@@ -155,8 +155,12 @@ void check_outputs(const Arguments& a)
   if (!path_of_truth(a).empty())
     paths.push_back(path_of_truth(a));
   for (const fs::path& path : paths)
+  {
     if (!a.is_forced && fs::exists(path))
       throw std::runtime_error("'" + path.string() + "' exists; --force overwrites it");
+    if (path.has_parent_path() && !fs::is_directory(path.parent_path()))
+      throw std::runtime_error("cannot write '" + path.string() + "': its folder does not exist");
+  }
 }
 
 void run(Arguments a)
@@ -240,8 +244,9 @@ void add_options(CLI::App& app, Arguments& a)
     ->capture_default_str()->check(CLI::IsMember({"adjacent", "all"}));
   app.add_option("--truncate", a.truncation, "upper bound of the field, in sampling distances")
     ->capture_default_str()->check(number_check(false));
-  app.add_option("--position-noise", a.position_noise, "by how much the noisy field's points are moved: the "
-                                                       "standard deviation per coordinate, in sampling distances")
+  app.add_option("--position-noise", a.position_noise,
+                 "by how much the noisy field's points are moved: the standard deviation per coordinate, in "
+                 "sampling distances")
     ->capture_default_str()->check(number_check(true));
   app.add_option("--angle", a.angle, "of the wedge, in degrees")
     ->capture_default_str()->check(CLI::Range(5., 170.));

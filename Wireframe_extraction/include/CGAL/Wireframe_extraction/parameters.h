@@ -12,6 +12,8 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_PARAMETERS_H
 #define CGAL_WIREFRAME_EXTRACTION_PARAMETERS_H
 
+#include <CGAL/Wireframe_extraction/policies.h>
+
 #include <CGAL/Named_function_parameters.h>
 
 #define CGAL_WIREFRAME_NP_LIST <CGAL/Wireframe_extraction/internal/parameters_interface.h>
@@ -57,6 +59,17 @@ using namespace CGAL::parameters;
   Named_parameters<K, internal_np::X> Z(const K& k) { return {k}; }
 #include CGAL_WIREFRAME_NP_LIST
 #undef CGAL_add_named_parameter
+
+/// \ingroup PkgWireframeExtractionParameters
+/// returns the parameters that give the published method (Matveev et al. 2021, with the connection radius of 3 r of the
+/// code the authors published), to compare with. Further parameters can be appended.
+inline auto paper_defaults()
+{
+  return corner_measure(Corner_measure::VARIANCE).corner_sampling_ratio(0.1).corner_radius(4.).corner_variance(0.3)
+    .connection_radius(3.).use_tangents(false).graph_method(Graph_method::SUBDIVIDED)
+    .end_detection(End_detection::MAIN_AXIS).split_threshold(4.).use_robust_loss(false).move_corners(false)
+    .adapt_knots(false).number_of_rounds(1);
+}
 
 } // namespace parameters
 } // namespace Wireframe_extraction

@@ -25,7 +25,7 @@
 #include <boost/iterator/counting_iterator.hpp>
 
 #include <cstddef>
-#include <functional>
+#include <iterator>
 #include <memory>
 #include <vector>
 
@@ -42,20 +42,21 @@ struct Construct_vector_coordinates
   const double* operator()(const Vector& p, int) const { return p.data() + 3; }
 };
 
+struct Position_map
+{
+  typedef std::size_t key_type;
+  typedef Vector value_type;
+  typedef const Vector& reference;
+  typedef boost::lvalue_property_map_tag category;
+
+  const Vector* positions = nullptr;
+  friend reference get(const Position_map& map, key_type i) { return map.positions[i]; }
+  reference operator[](key_type i) const { return positions[i]; }
+};
+
 // Ball queries over a vector of positions that stays where it is. Answers are indices.
 class Ball_search
 {
-  struct Position_map
-  {
-    typedef std::size_t key_type;
-    typedef Vector value_type;
-    typedef const Vector& reference;
-    typedef boost::lvalue_property_map_tag category;
-
-    const Vector* positions = nullptr;
-    friend reference get(const Position_map& map, key_type i) { return map.positions[i]; }
-    reference operator[](key_type i) const { return positions[i]; }
-  };
   typedef CGAL::Search_traits<double, Vector, const double*, Construct_vector_coordinates,
                               CGAL::Dimension_tag<3> > Base_traits;
   typedef CGAL::Search_traits_adapter<std::size_t, Position_map, Base_traits> Traits;

@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_H
+#define CGAL_WIREFRAME_EXTRACTION_H
+
+/// \file Wireframe_extraction.h
+/// Includes all of the package but what reads and writes files.
+
+#include <CGAL/extract_wireframe.h>
+
+#include <CGAL/Wireframe_extraction/Spline_curve_3.h>
+#include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/Wireframe_graph.h>
+#include <CGAL/Wireframe_extraction/parameters.h>
+
+#endif // CGAL_WIREFRAME_EXTRACTION_H

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_WIREFRAME_EXTRACTION_REPORT_H
+#define CGAL_WIREFRAME_EXTRACTION_WIREFRAME_EXTRACTION_REPORT_H
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/// \ingroup PkgWireframeExtractionClasses
+/// What happened during an extraction.
+struct Wireframe_extraction_report
+{
+  /// how an extraction ended
+  enum class Status
+  {
+    SUCCESS,        ///< there is a wireframe
+    INVALID_INPUT,  ///< the cloud or a parameter cannot be right; `message` says why
+    NO_FEATURE,     ///< the cloud has no sharp feature
+    CANCELLED       ///< the callback returned `false`
+  };
+
+  Status status = Status::SUCCESS;            ///< how the extraction ended
+  std::string message;                        ///< why there is no wireframe, in one line
+  std::vector<std::string> warnings;          ///< what looks odd but did no harm
+  std::size_t number_of_points = 0;           ///< points of the cloud
+  std::size_t number_of_skipped_points = 0;   ///< points left out since they are invalid
+  std::size_t number_of_duplicates = 0;       ///< points near features left out since they repeat others
+  std::size_t skeleton_size = 0;              ///< points of the skeleton
+  std::size_t number_of_corners = 0;          ///< vertices of the wireframe
+  std::size_t number_of_clusters = 0;         ///< groups of points that curves start from
+  std::size_t number_of_curves = 0;           ///< curves of the wireframe
+  double sampling_distance = 0.;              ///< in the cloud's unit
+  double noise = 0.;                          ///< noise level of the field near curves, in the cloud's unit
+  double root_mean_square = 0.;               ///< of the residuals of all curves, in the cloud's unit
+  double maximum_deviation = 0.;              ///< largest residual of a supporting point, in the cloud's unit
+  std::vector<std::pair<std::string, double> > seconds;  ///< duration of the stages, in their order
+};
+
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_WIREFRAME_EXTRACTION_REPORT_H

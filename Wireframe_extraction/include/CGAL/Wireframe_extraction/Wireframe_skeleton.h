@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_WIREFRAME_SKELETON_H
+#define CGAL_WIREFRAME_EXTRACTION_WIREFRAME_SKELETON_H
+
+#include <CGAL/Wireframe_extraction/internal/Contraction.h>
+#include <CGAL/Wireframe_extraction/internal/Field_band.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <memory>
+
+namespace CGAL {
+
+/// \ingroup PkgWireframeExtractionClasses
+/// The points of a cloud that lie near sharp features, sorted by their distance to them. The first `size()` points are
+/// the skeleton; the `support_size()` points include those a little farther away that support the fits.
+///
+/// Copies share their data.
+///
+/// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
+template <class GeomTraits>
+class Wireframe_skeleton
+{
+public:
+  typedef GeomTraits Geom_traits;                    ///< the traits class
+  typedef typename GeomTraits::FT FT;                ///< the number type
+  typedef typename GeomTraits::Point_3 Point_3;      ///< the point type
+  typedef typename GeomTraits::Vector_3 Vector_3;    ///< the vector type
+
+  /// constructs an empty skeleton.
+  Wireframe_skeleton() {}
+
+  /// returns the number of points of the skeleton.
+  std::size_t size() const { return m_band ? m_band->skeleton_size : 0; }
+
+  /// returns the number of all points that were kept.
+  std::size_t support_size() const { return m_band ? m_band->size() : 0; }
+
+  /// returns whether the skeleton has no point.
+  bool is_empty() const { return size() == 0; }
+
+  /// returns the sampling distance, in the cloud's unit.
+  FT sampling_distance() const { return FT(m_unit); }
+
+  /// returns the number of points that were left out since they repeat another one exactly.
+  std::size_t number_of_duplicates() const { return m_number_of_duplicates; }
+
+  /// returns the `i`-th point. \pre `i < support_size()`
+  Point_3 point(std::size_t i) const { CGAL_precondition(i < support_size()); return to_point(m_band->points[i]); }
+
+  /// returns the distance of the `i`-th point to the nearest sharp feature. \pre `i < support_size()`
+  FT distance(std::size_t i) const
+  {
+    CGAL_precondition(i < support_size());
+    return FT(m_band->distances[i] * m_unit);
+  }
+
+  /// returns the position of the `i`-th point in the cloud. \pre `i < support_size()`
+  std::size_t index(std::size_t i) const { CGAL_precondition(i < support_size()); return m_band->indices[i]; }
+
+  /// returns whether `contract_skeleton()` was called.
+  bool is_contracted() const { return m_contraction != nullptr; }
+
+  /// returns the foot of the `i`-th point: the nearest point of the curve that the field draws near it.
+  /// \pre `is_contracted()` and `i < size()`
+  Point_3 foot(std::size_t i) const { return to_point(contraction().curves[i].point); }
+
+  /// returns the unit tangent of that curve at the foot; its sign has no meaning.
+  /// \pre `is_contracted()` and `i < size()`
+  Vector_3 tangent(std::size_t i) const
+  {
+    const internal_Vector& t = contraction().curves[i].tangent;
+    return m_traits.construct_vector_3_object()(FT(t.x()), FT(t.y()), FT(t.z()));
+  }
+
+  /// returns the root mean square of the field's residuals close to the foot, in the cloud's unit.
+  /// \pre `is_contracted()` and `i < size()`
+  FT residual(std::size_t i) const { return FT(contraction().residuals[i] * m_unit); }
+
+  /// returns the noise level of the field: the median of the residuals, in the cloud's unit.
+  /// \pre `is_contracted()`
+  FT noise() const { return FT(contraction().noise * m_unit); }
+
+  /// \cond SKIP_IN_MANUAL
+  typedef Wireframe_extraction::internal::Vector internal_Vector;
+
+  Wireframe_skeleton(std::shared_ptr<const Wireframe_extraction::internal::Field_band> band, double unit,
+                     const internal_Vector& origin, std::size_t number_of_duplicates, const GeomTraits& traits)
+    : m_band(band), m_unit(unit), m_origin(origin), m_number_of_duplicates(number_of_duplicates), m_traits(traits)
+  {}
+
+  const Wireframe_extraction::internal::Field_band& band() const { return *m_band; }
+  const Wireframe_extraction::internal::Contraction& contraction() const
+  {
+    CGAL_precondition_msg(is_contracted(), "call contract_skeleton() first");
+    return *m_contraction;
+  }
+  void set_contraction(std::shared_ptr<const Wireframe_extraction::internal::Contraction> c) { m_contraction = c; }
+  double unit() const { return m_unit; }
+  const GeomTraits& traits() const { return m_traits; }
+
+  // between the cloud's coordinates and those of the band
+  Point_3 to_point(const internal_Vector& p) const
+  {
+    const internal_Vector q = m_origin + m_unit * p;
+    return m_traits.construct_point_3_object()(FT(q.x()), FT(q.y()), FT(q.z()));
+  }
+  internal_Vector to_local(const Point_3& p) const
+  {
+    auto c = m_traits.construct_cartesian_const_iterator_3_object()(p);
+    internal_Vector q;
+    for (int k = 0; k < 3; ++k, ++c)
+      q[k] = CGAL::to_double(*c);
+    return (q - m_origin) / m_unit;
+  }
+  /// \endcond
+
+private:
+  std::shared_ptr<const Wireframe_extraction::internal::Field_band> m_band;
+  std::shared_ptr<const Wireframe_extraction::internal::Contraction> m_contraction;
+  double m_unit = 1.;
+  internal_Vector m_origin = internal_Vector::Zero();
+  std::size_t m_number_of_duplicates = 0;
+  GeomTraits m_traits;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_WIREFRAME_SKELETON_H

@@ -1,0 +1,212 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_BUILD_TOPOLOGICAL_GRAPH_H
+#define CGAL_WIREFRAME_EXTRACTION_BUILD_TOPOLOGICAL_GRAPH_H
+
+#include <CGAL/Wireframe_extraction/Wireframe_graph.h>
+#include <CGAL/Wireframe_extraction/detect_corners.h>
+#include <CGAL/Wireframe_extraction/internal/subdivide_network.h>
+#include <CGAL/Wireframe_extraction/internal/trace_network.h>
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+
+namespace internal {
+
+// leaves out points closer than `spacing` to the one before, but keeps `least` inner points
+inline std::vector<Vector> thin_out(const std::vector<Vector>& polyline, double spacing, std::size_t least)
+{
+  std::vector<Vector> result{polyline.front()};
+  for (std::size_t k = 1; k + 1 < polyline.size(); ++k)
+    if ((polyline[k] - result.back()).norm() >= spacing && (polyline[k] - polyline.back()).norm() >= 0.5 * spacing)
+      result.push_back(polyline[k]);
+  result.push_back(polyline.back());
+  if (result.size() < least + 2) {
+    // points at equal steps of arc length
+    std::vector<double> lengths(polyline.size(), 0.);
+    for (std::size_t k = 1; k < polyline.size(); ++k)
+      lengths[k] = lengths[k - 1] + (polyline[k] - polyline[k - 1]).norm();
+    result.assign(1, polyline.front());
+    for (std::size_t j = 1; j <= least; ++j) {
+      const double s = lengths.back() * double(j) / double(least + 1);
+      std::size_t k = 1;
+      while (k + 1 < polyline.size() && lengths[k] < s)
+        ++k;
+      const double step = lengths[k] - lengths[k - 1];
+      const double t = step > 0. ? (s - lengths[k - 1]) / step : 0.;
+      result.push_back(polyline[k - 1] + t * (polyline[k] - polyline[k - 1]));
+    }
+    result.push_back(polyline.back());
+  }
+  return result;
+}
+
+template <class GeomTraits>
+Wireframe_graph<GeomTraits> to_graph(const Curve_network& network, const Wireframe_skeleton<GeomTraits>& skeleton,
+                                     double spacing)
+{
+  typedef Wireframe_graph<GeomTraits> Graph;
+  typedef typename boost::graph_traits<Graph>::vertex_descriptor Vertex;
+  Graph graph;
+  const auto add = [&](const Vector& p, bool is_corner) {
+    const Vertex v = boost::add_vertex(graph);
+    put(CGAL::vertex_point, graph, v, skeleton.to_point(p));
+    graph[v].is_corner = is_corner;
+    return v;
+  };
+  const Vertex none = boost::graph_traits<Graph>::null_vertex();
+  std::vector<Vertex> vertex_of_node(network.nodes.size(), none);
+  std::size_t id = 0;
+  for (const Network_curve& curve : network.curves) {
+    if (!curve.is_alive || curve.points.size() < 2)
+      continue;
+    const bool is_loop = curve.nodes[0] == curve.nodes[1];
+    const std::vector<Vector> polyline = thin_out(curve.points, spacing, is_loop ? 2 : 1);
+    Vertex ends[2];
+    for (int e = 0; e < 2; ++e) {
+      if (curve.is_closed_without_node()) {
+        ends[e] = e == 0 ? add(polyline.front(), false) : ends[0];
+        continue;
+      }
+      Vertex& v = vertex_of_node[curve.nodes[e]];
+      if (v == none)
+        v = add(network.nodes[curve.nodes[e]], true);
+      ends[e] = v;
+    }
+    Vertex previous = ends[0];
+    for (std::size_t k = 1; k < polyline.size(); ++k) {
+      const Vertex next = k + 1 < polyline.size() ? add(polyline[k], false) : ends[1];
+      boost::add_edge(previous, next, Wireframe_edge{id}, graph);
+      previous = next;
+    }
+    ++id;
+  }
+  return graph;
+}
+
+template <class GeomTraits>
+Wireframe_graph<GeomTraits> build_graph(const Wireframe_skeleton<GeomTraits>& skeleton,
+                                        const std::vector<Wireframe_corner<GeomTraits> >& corners,
+                                        const std::vector<std::vector<std::size_t> >& clusters,
+                                        const Extraction_options& options,
+                                        const std::function<bool(double)>& proceed)
+{
+  if (skeleton.is_empty())
+    return Wireframe_graph<GeomTraits>();
+  if (options.graph_method == Graph_method::SUBDIVIDED) {
+    std::vector<Network_subdivider::Corner> centers;
+    for (const Wireframe_corner<GeomTraits>& corner : corners)
+      centers.push_back({skeleton.to_local(corner.center), CGAL::to_double(corner.radius) / skeleton.unit()});
+    return to_graph(Network_subdivider(skeleton.band(), options).run(clusters, centers), skeleton, 0.);
+  }
+  std::vector<std::size_t> seeds;
+  for (const std::vector<std::size_t>& cluster : clusters)
+    for (std::size_t i : cluster) {
+      CGAL_precondition(i < skeleton.size());
+      seeds.push_back(i);
+    }
+  const Network_tracer tracer(skeleton.band(), skeleton.contraction(), options);
+  return to_graph(tracer.run(seeds, proceed), skeleton, 0.9);
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgWireframeExtractionFunctions
+
+builds the topological graph of a wireframe: polylines that end in corners.
+
+- `Graph_method::TRACED`: from the points of the clusters, best fits first, curves are traced through the field, step by
+  step, as long as it agrees with them. What they do not need to explain the field is dropped. Their ends are beliefs
+  about corners, sure across the curve and unsure along it; ends whose beliefs agree are joined, ends next to the inside
+  of another curve split it, ends that face each other over a gap are bridged. The corners handed over only matter in
+  that their points are no seeds.
+- `Graph_method::SUBDIVIDED`: every cluster gets a polyline between its two ends, or a triangle if it is a cycle, which
+  is subdivided at the point that disagrees most with it while that exceeds `split_threshold` (eq. 2 of Matveev et al.
+  2021); ends join the nearest corner.
+
+\tparam GeomTraits a model of `WireframeExtractionTraits_3`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param skeleton the skeleton. \pre `skeleton.is_contracted()` if the method is `TRACED`
+\param corners the corners
+\param clusters the points of the curves, as `segment_curves()` returns them
+\param np an optional sequence of named parameters:
+\cgalNamedParamsBegin
+  \cgalParamNBegin{graph_method}
+    \cgalParamDescription{how the graph comes about}
+    \cgalParamType{`Graph_method`}
+    \cgalParamDefault{`Graph_method::TRACED`}
+  \cgalParamNEnd
+  \cgalParamNBegin{corner_reach}
+    \cgalParamDescription{how far from each other ends may lie that are joined in one corner, in multiples of r}
+    \cgalParamType{`double`}
+    \cgalParamDefault{5}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_gap}
+    \cgalParamDescription{the widest gap over which ends that face each other are bridged, in multiples of r}
+    \cgalParamType{`double`}
+    \cgalParamDefault{18}
+  \cgalParamNEnd
+  \cgalParamNBegin{smooth_angle}
+    \cgalParamDescription{two curves that meet and turn by less are one curve, in degrees}
+    \cgalParamType{`double`}
+    \cgalParamDefault{20}
+  \cgalParamNEnd
+  \cgalParamNBegin{minimum_evidence}
+    \cgalParamDescription{the number of points that must be explained by a curve, and by no other one}
+    \cgalParamType{`double`}
+    \cgalParamDefault{2, and 0.7 per r of its length}
+  \cgalParamNEnd
+  \cgalParamNBegin{end_detection}
+    \cgalParamDescription{which points of a cluster are its ends, for `SUBDIVIDED`}
+    \cgalParamType{`End_detection`}
+    \cgalParamDefault{`End_detection::GRAPH_DISTANCE`}
+  \cgalParamNEnd
+  \cgalParamNBegin{split_threshold}
+    \cgalParamDescription{the residual above which a polyline is subdivided, for `SUBDIVIDED`, in multiples of r}
+    \cgalParamType{`double`}
+    \cgalParamDefault{4}
+  \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{a function that is called with the share that is done and returns whether to go on}
+    \cgalParamType{an instance of `std::function<bool(double)>`}
+    \cgalParamDefault{unused}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the graph. After cancelling, it holds the curves traced so far.
+
+Complexity: `TRACED`: O(n (log n + k)) for n points with k neighbors each; `SUBDIVIDED`: O(n s^2) for clusters of n
+points that get s segments.
+*/
+template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Wireframe_graph<GeomTraits>
+build_topological_graph(const Wireframe_skeleton<GeomTraits>& skeleton,
+                        const std::vector<Wireframe_corner<GeomTraits> >& corners,
+                        const std::vector<std::vector<std::size_t> >& clusters,
+                        const NamedParameters& np = CGAL::parameters::default_values())
+{
+  const std::function<bool(double)> callback = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::callback), std::function<bool(double)>());
+  return internal::build_graph(skeleton, corners, clusters, internal::extraction_options(np),
+                               [&](double share) { return !callback || callback(share); });
+}
+
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_BUILD_TOPOLOGICAL_GRAPH_H

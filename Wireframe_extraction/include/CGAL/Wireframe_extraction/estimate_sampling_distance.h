@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_ESTIMATE_SAMPLING_DISTANCE_H
+#define CGAL_WIREFRAME_EXTRACTION_ESTIMATE_SAMPLING_DISTANCE_H
+
+#include <CGAL/Wireframe_extraction/internal/cloud_access.h>
+#include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+
+/*!
+\ingroup PkgWireframeExtractionFunctions
+
+estimates the sampling distance r of a cloud: the mean distance of a point to its nearest neighbor in a Poisson-disk
+cloud of the same density, r = sqrt(0.82 * area per point).
+
+The area per point comes from the discs that reach to the 16th neighbor, the median over at most 4096 points spread
+over the range, so that neither duplicates nor outliers matter. It is right for Poisson-disk clouds and for uniformly
+random ones alike; there, the mean distance to the nearest neighbor is only about 0.55 r.
+
+\tparam PointRange a model of `ConstRange` whose iterators are forward iterators
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param points the cloud
+\param np an optional sequence of named parameters:
+\cgalNamedParamsBegin
+  \cgalParamNBegin{point_map}
+    \cgalParamDescription{a property map from the value type of `points` to points}
+    \cgalParamType{a model of `ReadablePropertyMap`}
+    \cgalParamDefault{the first of a pair, or the value itself}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a model of `WireframeExtractionTraits_3`}
+    \cgalParamDefault{the kernel of the point type}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the sampling distance in the cloud's unit; 0 if fewer than two different points exist.
+
+Complexity: O(n log n) for n points.
+*/
+template <class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
+double estimate_sampling_distance(const PointRange& points,
+                                  const NamedParameters& np = CGAL::parameters::default_values())
+{
+  const internal::Cloud_access<PointRange, NamedParameters> access(np);
+  std::vector<internal::Vector> positions;
+  for (const auto& value : points)
+    positions.push_back(access.position(value));
+  return internal::cloud_scale(positions, std::vector<double>(), internal::spread_indices(positions.size()))
+    .sampling_distance;
+}
+
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_ESTIMATE_SAMPLING_DISTANCE_H

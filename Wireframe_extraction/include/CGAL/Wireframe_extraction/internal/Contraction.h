@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_CONTRACTION_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CONTRACTION_H
+
+#include <CGAL/Wireframe_extraction/internal/Local_curve.h>
+#include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
+
+
+#include <cstddef>
+#include <vector>
+
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#endif
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// calls work(begin, end) on pieces of [0, count), at the same time where there are threads for it
+template <class Work>
+void for_each_piece(std::size_t count, const Work& work)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 256),
+                    [&](const tbb::blocked_range<std::size_t>& range) { work(range.begin(), range.end()); });
+#else
+  work(std::size_t(0), count);
+#endif
+}
+
+// For every skeleton point the local curve that the field draws near it.
+struct Contraction
+{
+  std::vector<Local_curve> curves;
+  std::vector<double> residuals;   // of the field close to the foot, in sampling distances
+  double noise = 0.;               // the median of the residuals
+};
+
+inline Contraction contract(const Field_band& band, double radius)
+{
+  Contraction result;
+  result.curves.resize(band.skeleton_size);
+  result.residuals.resize(band.skeleton_size);
+  for_each_piece(band.skeleton_size, [&](std::size_t begin, std::size_t end) {
+    Local_curve_fit fit(band);
+    Local_fit_options options;
+    options.radius = radius;
+    for (std::size_t i = begin; i < end; ++i)
+      result.residuals[i] = fit.refine_with_best_radius(
+        result.curves[i], options, [&](Local_curve& curve, const Local_fit_options& scaled) {
+          curve = fit.principal_axis(band.points[i], scaled.radius);
+          fit.refine(curve, band.points[i], scaled);
+        });
+  });
+  result.noise = median(result.residuals);
+  return result;
+}
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_CONTRACTION_H

@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_EXTRACTION_OPTIONS_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_EXTRACTION_OPTIONS_H
+
+#include <CGAL/Wireframe_extraction/parameters.h>
+#include <CGAL/Wireframe_extraction/policies.h>
+
+#include <CGAL/number_utils.h>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// All thresholds with their defaults, in one place. Lengths are in multiples of the sampling distance, angles in
+// degrees; a negative value stands for "follows from the cloud".
+struct Extraction_options
+{
+  double noise_level = -1.;
+  double skeleton_distance = 1.5;
+  double support_distance = 3.;
+  double fitting_radius = 4.;
+  Corner_measure corner_measure = Corner_measure::FIELD_RESIDUAL;
+  double corner_sampling_ratio = 0.1;
+  double corner_radius = 4.;
+  double corner_variance = 0.3;
+  double corner_residual = -1.;
+  double connection_radius = 3.;
+  double connection_angle = 30.;
+  bool use_tangents = true;
+  Graph_method graph_method = Graph_method::TRACED;
+  End_detection end_detection = End_detection::GRAPH_DISTANCE;
+  double split_threshold = 4.;
+  double corner_reach = 5.;
+  double maximum_gap = 18.;
+  double smooth_angle = 20.;
+  double minimum_evidence = 2.;
+  bool use_robust_loss = true;
+  bool move_corners = true;
+  bool adapt_knots = true;
+  int number_of_rounds = 3;
+};
+
+template <class NamedParameters>
+Extraction_options extraction_options(const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Extraction_options options;
+#define CGAL_WIREFRAME_READ_LENGTH(name) \
+  options.name = CGAL::to_double(choose_parameter(get_parameter(np, internal_np::name), options.name))
+#define CGAL_WIREFRAME_READ(name) \
+  options.name = choose_parameter(get_parameter(np, internal_np::name), options.name)
+  CGAL_WIREFRAME_READ_LENGTH(noise_level);
+  CGAL_WIREFRAME_READ_LENGTH(skeleton_distance);
+  CGAL_WIREFRAME_READ_LENGTH(support_distance);
+  CGAL_WIREFRAME_READ_LENGTH(fitting_radius);
+  CGAL_WIREFRAME_READ(corner_measure);
+  CGAL_WIREFRAME_READ_LENGTH(corner_sampling_ratio);
+  CGAL_WIREFRAME_READ_LENGTH(corner_radius);
+  CGAL_WIREFRAME_READ_LENGTH(corner_variance);
+  CGAL_WIREFRAME_READ_LENGTH(corner_residual);
+  CGAL_WIREFRAME_READ_LENGTH(connection_radius);
+  CGAL_WIREFRAME_READ_LENGTH(connection_angle);
+  CGAL_WIREFRAME_READ(use_tangents);
+  CGAL_WIREFRAME_READ(graph_method);
+  CGAL_WIREFRAME_READ(end_detection);
+  CGAL_WIREFRAME_READ_LENGTH(split_threshold);
+  CGAL_WIREFRAME_READ_LENGTH(corner_reach);
+  CGAL_WIREFRAME_READ_LENGTH(maximum_gap);
+  CGAL_WIREFRAME_READ_LENGTH(smooth_angle);
+  CGAL_WIREFRAME_READ_LENGTH(minimum_evidence);
+  CGAL_WIREFRAME_READ(use_robust_loss);
+  CGAL_WIREFRAME_READ(move_corners);
+  CGAL_WIREFRAME_READ(adapt_knots);
+  CGAL_WIREFRAME_READ(number_of_rounds);
+#undef CGAL_WIREFRAME_READ_LENGTH
+#undef CGAL_WIREFRAME_READ
+  return options;
+}
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_EXTRACTION_OPTIONS_H

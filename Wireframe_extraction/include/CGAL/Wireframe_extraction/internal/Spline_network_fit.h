@@ -1,0 +1,451 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SPLINE_NETWORK_FIT_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SPLINE_NETWORK_FIT_H
+
+#include <CGAL/Wireframe_extraction/internal/Cubic_spline.h>
+#include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/Segment_grid.h>
+#include <CGAL/Wireframe_extraction/internal/ceres_support.h>
+#include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+inline void set_gradient(double* jacobian, const Vector& gradient)
+{
+  for (int k = 0; k < 3; ++k)
+    jacobian[k] = gradient[k];
+}
+
+inline void set_multiple_of_identity(double* jacobian, double factor)
+{
+  for (int k = 0; k < 9; ++k)
+    jacobian[k] = k % 4 == 0 ? factor : 0.;
+}
+
+// d - |p - gamma(u)| as a function of the four control points that act at u (a summand of eq. 3)
+class Field_residual : public ceres::SizedCostFunction<1, 3, 3, 3, 3>
+{
+  Vector m_point;
+  double m_distance, m_weight;
+  std::array<double, 4> m_basis;
+
+public:
+  Field_residual(const Vector& point, double distance, double weight, const double* basis)
+    : m_point(point), m_distance(distance), m_weight(weight), m_basis{{basis[0], basis[1], basis[2], basis[3]}}
+  {}
+
+  bool Evaluate(double const* const* controls, double* residual, double** jacobians) const override
+  {
+    Vector offset = m_point;
+    for (int j = 0; j < 4; ++j)
+      offset -= m_basis[j] * Eigen::Map<const Vector>(controls[j]);
+    const double distance = offset.norm();
+    residual[0] = m_weight * (m_distance - distance);
+    if (jacobians) {
+      const Vector direction = distance > 1e-12 ? Vector(offset / distance) : Vector(Vector::Zero());
+      for (int j = 0; j < 4; ++j)
+        if (jacobians[j])
+          set_gradient(jacobians[j], m_weight * m_basis[j] * direction);
+    }
+    return true;
+  }
+};
+
+// the third difference of control points: keeps spans quiet that have few points
+class Roughness_residual : public ceres::SizedCostFunction<3, 3, 3, 3, 3>
+{
+  double m_weight;
+
+public:
+  explicit Roughness_residual(double weight) : m_weight(weight) {}
+
+  bool Evaluate(double const* const* controls, double* residuals, double** jacobians) const override
+  {
+    static constexpr double c[4] = {-1., 3., -3., 1.};
+    for (int k = 0; k < 3; ++k) {
+      residuals[k] = 0.;
+      for (int j = 0; j < 4; ++j)
+        residuals[k] += m_weight * c[j] * controls[j][k];
+    }
+    if (jacobians)
+      for (int j = 0; j < 4; ++j)
+        if (jacobians[j])
+          set_multiple_of_identity(jacobians[j], m_weight * c[j]);
+    return true;
+  }
+};
+
+// keeps a vertex near its place where nothing else holds it
+class Anchor_residual : public ceres::SizedCostFunction<3, 3>
+{
+  Vector m_place;
+  double m_weight;
+
+public:
+  Anchor_residual(const Vector& place, double weight) : m_place(place), m_weight(weight) {}
+
+  bool Evaluate(double const* const* position, double* residuals, double** jacobians) const override
+  {
+    for (int k = 0; k < 3; ++k)
+      residuals[k] = m_weight * (position[0][k] - m_place[k]);
+    if (jacobians && jacobians[0])
+      set_multiple_of_identity(jacobians[0], m_weight);
+    return true;
+  }
+};
+
+// A path of the topological graph that becomes a spline.
+struct Fitted_curve
+{
+  std::vector<Vector> path;                  // closed: the first point again at the end
+  std::array<std::size_t, 2> vertices;       // of the network, or `no_vertex` on a closed curve without
+  Cubic_spline spline;
+  double root_mean_square = 0., maximum_deviation = 0.;
+  std::size_t support = 0;
+
+  static constexpr std::size_t no_vertex = static_cast<std::size_t>(-1);
+  bool is_closed_without_vertex() const { return vertices[0] == no_vertex; }
+  bool is_loop() const { return !is_closed_without_vertex() && vertices[0] == vertices[1]; }
+  std::size_t least_spans() const { return is_closed_without_vertex() ? 4 : is_loop() ? 3 : 1; }
+};
+
+// Fits the splines of all curves at once; the curves that meet in a vertex share it.
+class Spline_network_fit
+{
+  struct Support { std::size_t point, curve; double parameter; };
+
+  class Stop_on_cancel : public ceres::IterationCallback
+  {
+    const std::function<bool(double)>& m_proceed;
+    double m_share;
+
+  public:
+    bool is_cancelled = false;
+    Stop_on_cancel(const std::function<bool(double)>& proceed, double share) : m_proceed(proceed), m_share(share) {}
+    ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override
+    {
+      if (m_proceed(m_share))
+        return ceres::SOLVER_CONTINUE;
+      is_cancelled = true;
+      return ceres::SOLVER_ABORT;
+    }
+  };
+
+  const Field_band& m_band;
+  const Extraction_options& m_options;
+  double m_noise;
+  std::vector<Vector> m_vertices, m_anchors;
+  std::vector<std::size_t> m_degrees;
+  std::vector<Fitted_curve> m_curves;
+  std::vector<Support> m_support;
+
+public:
+  Spline_network_fit(const Field_band& band, double noise, const Extraction_options& options,
+                     std::vector<Vector> vertices, std::vector<Fitted_curve> curves)
+    : m_band(band), m_options(options), m_noise(noise), m_vertices(std::move(vertices)), m_anchors(m_vertices),
+      m_degrees(m_vertices.size(), 0), m_curves(std::move(curves))
+  {
+    for (const Fitted_curve& curve : m_curves)
+      if (!curve.is_closed_without_vertex())
+        for (std::size_t v : curve.vertices)
+          ++m_degrees[v];
+  }
+
+  const std::vector<Vector>& vertices() const { return m_vertices; }
+  const std::vector<Fitted_curve>& curves() const { return m_curves; }
+
+  // returns whether it was not cancelled
+  bool run(const std::function<bool(double)>& proceed)
+  {
+    for (Fitted_curve& curve : m_curves)
+      initialize(curve);
+    const int rounds = (std::max)(1, m_options.number_of_rounds);
+    bool is_complete = true;
+    for (int round = 0; round < rounds && is_complete; ++round) {
+      find_support();
+      if (round > 0 && m_options.adapt_knots)
+        add_knots();
+      const double share = double(round) / rounds;
+      // the loss narrows while the curves approach
+      const double scale = (0.05 + 1.5 * m_noise) * (round + 1 < rounds ? 2. : 1.);
+      is_complete = solve(scale, proceed, share);
+    }
+    find_support();
+    measure();
+    return is_complete;
+  }
+
+private:
+  static std::vector<double> arc_lengths(const std::vector<Vector>& path)
+  {
+    std::vector<double> s(path.size(), 0.);
+    for (std::size_t k = 1; k < path.size(); ++k)
+      s[k] = s[k - 1] + (std::max)(1e-9, (path[k] - path[k - 1]).norm());
+    return s;
+  }
+
+  // positions along the path at steps of half a sampling distance, or finer where it is short
+  static void resample(const std::vector<Vector>& path, const std::vector<double>& s,
+                       std::vector<double>& parameters, std::vector<Vector>& positions)
+  {
+    const std::size_t count = (std::max)(std::size_t(16), static_cast<std::size_t>(std::ceil(2. * s.back())));
+    std::size_t k = 1;
+    for (std::size_t j = 0; j <= count; ++j) {
+      const double u = s.back() * double(j) / double(count);
+      while (k + 1 < s.size() && s[k] < u)
+        ++k;
+      const double t = (u - s[k - 1]) / (s[k] - s[k - 1]);
+      parameters.push_back(u);
+      positions.push_back(path[k - 1] + t * (path[k] - path[k - 1]));
+    }
+  }
+
+  static std::vector<double> bisect(const std::vector<double>& breaks, const std::vector<char>& is_bad)
+  {
+    std::vector<double> finer{breaks.front()};
+    for (std::size_t k = 1; k < breaks.size(); ++k) {
+      if (is_bad[k - 1])
+        finer.push_back(0.5 * (breaks[k - 1] + breaks[k]));
+      finer.push_back(breaks[k]);
+    }
+    return finer;
+  }
+
+  static std::vector<double> uniform_breaks(double length, std::size_t spans)
+  {
+    std::vector<double> breaks;
+    for (std::size_t k = 0; k <= spans; ++k)
+      breaks.push_back(length * double(k) / double(spans));
+    return breaks;
+  }
+
+  // a spline through the path, with knots where the path asks for them
+  void initialize(Fitted_curve& curve) const
+  {
+    const std::vector<double> s = arc_lengths(curve.path);
+    std::vector<double> parameters;
+    std::vector<Vector> positions;
+    resample(curve.path, s, parameters, positions);
+    const bool is_periodic = curve.is_closed_without_vertex();
+    std::vector<double> breaks = m_options.adapt_knots || s.size() <= curve.least_spans()
+      ? uniform_breaks(s.back(), curve.least_spans()) : s;
+    const double tolerance = 0.1 + m_noise;
+    while (true) {
+      curve.spline = Cubic_spline(breaks, is_periodic);
+      curve.spline.interpolate(parameters, positions);
+      if (!m_options.adapt_knots)
+        return;
+      std::vector<double> worst(breaks.size() - 1, 0.);
+      for (std::size_t i = 0; i < parameters.size(); ++i) {
+        double& w = worst[curve.spline.span(parameters[i])];
+        w = (std::max)(w, (curve.spline.at(parameters[i]) - positions[i]).norm());
+      }
+      std::vector<char> is_bad(worst.size(), 0);
+      for (std::size_t k = 0; k < worst.size(); ++k)
+        is_bad[k] = worst[k] > tolerance && breaks[k + 1] - breaks[k] > 2.;
+      if (std::find(is_bad.begin(), is_bad.end(), 1) == is_bad.end())
+        return;
+      breaks = bisect(breaks, is_bad);
+    }
+  }
+
+  // the points that lie near the curves, each with the nearest curve and its foot there
+  void find_support()
+  {
+    Segment_grid grid;
+    std::vector<std::vector<double> > parameters(m_curves.size());
+    for (std::size_t c = 0; c < m_curves.size(); ++c) {
+      const Cubic_spline& spline = m_curves[c].spline;
+      const std::size_t count = (std::max)(std::size_t(8), static_cast<std::size_t>(2. * (spline.back() - spline.front())));
+      std::vector<Vector> polyline;
+      for (std::size_t k = 0; k <= count; ++k) {
+        parameters[c].push_back(spline.front() + (spline.back() - spline.front()) * double(k) / double(count));
+        polyline.push_back(spline.at(parameters[c].back()));
+      }
+      grid.add(c, polyline);
+    }
+    m_support.clear();
+    for (std::size_t i = 0; i < m_band.size(); ++i) {
+      const Segment_grid::Hit hit = grid.nearest(m_band.points[i], m_options.support_distance + 1.,
+                                                 [](const Segment_grid::Hit&) { return true; });
+      if (!hit.is_valid())
+        continue;
+      const Cubic_spline& spline = m_curves[hit.curve].spline;
+      const double middle = 0.5 * (parameters[hit.curve][hit.segment] + parameters[hit.curve][hit.segment + 1]);
+      m_support.push_back({i, hit.curve, spline.foot(m_band.points[i], middle)});
+    }
+  }
+
+  double residual(const Support& s) const
+  {
+    return m_band.distances[s.point] - (m_band.points[s.point] - m_curves[s.curve].spline.at(s.parameter)).norm();
+  }
+
+  // residuals beyond it belong to no curve
+  double cutoff() const { return (std::max)(0.5, 4. * m_noise); }
+
+  // bisects spans whose residuals are clearly above those of the others
+  void add_knots()
+  {
+    std::vector<std::vector<double> > squares(m_curves.size());
+    std::vector<std::vector<std::size_t> > counts(m_curves.size());
+    for (std::size_t c = 0; c < m_curves.size(); ++c) {
+      squares[c].assign(m_curves[c].spline.breaks().size() - 1, 0.);
+      counts[c].assign(squares[c].size(), 0);
+    }
+    for (const Support& s : m_support) {
+      const double e = residual(s);
+      if (std::abs(e) > cutoff() || m_band.distances[s.point] > 2.)
+        continue;
+      const std::size_t k = m_curves[s.curve].spline.span(s.parameter);
+      squares[s.curve][k] += e * e;
+      ++counts[s.curve][k];
+    }
+    std::vector<double> levels;
+    for (std::size_t c = 0; c < m_curves.size(); ++c)
+      for (std::size_t k = 0; k < squares[c].size(); ++k)
+        if (counts[c][k] >= 8)
+          levels.push_back(std::sqrt(squares[c][k] / double(counts[c][k])));
+    const double limit = 0.02 + 1.25 * (std::min)(median(levels), 1.5 * m_noise + 0.02);
+    for (std::size_t c = 0; c < m_curves.size(); ++c) {
+      const Cubic_spline& spline = m_curves[c].spline;
+      const std::vector<double>& breaks = spline.breaks();
+      std::vector<char> is_bad(squares[c].size(), 0);
+      for (std::size_t k = 0; k < is_bad.size(); ++k)
+        is_bad[k] = counts[c][k] >= 12 && std::sqrt(squares[c][k] / double(counts[c][k])) > limit
+          && breaks[k + 1] - breaks[k] > 3.;
+      if (std::find(is_bad.begin(), is_bad.end(), 1) != is_bad.end())
+        refine(m_curves[c], bisect(breaks, is_bad));
+    }
+  }
+
+  // the same curve over more breakpoints
+  static void refine(Fitted_curve& curve, const std::vector<double>& breaks)
+  {
+    std::vector<double> parameters;
+    std::vector<Vector> positions;
+    for (std::size_t k = 1; k < breaks.size(); ++k)
+      for (int j = 0; j < 6; ++j) {
+        parameters.push_back(breaks[k - 1] + (breaks[k] - breaks[k - 1]) * j / 6.);
+        positions.push_back(curve.spline.at(parameters.back()));
+      }
+    parameters.push_back(breaks.back());
+    positions.push_back(curve.spline.at(breaks.back()));
+    Cubic_spline finer(breaks, curve.spline.is_periodic());
+    finer.interpolate(parameters, positions);
+    curve.spline = finer;
+  }
+
+  // the ends of a clamped spline are vertices, the other control points its own
+  double* control(Fitted_curve& curve, std::size_t i)
+  {
+    if (!curve.is_closed_without_vertex()) {
+      if (i == 0)
+        return m_vertices[curve.vertices[0]].data();
+      if (i + 1 == curve.spline.points().size())
+        return m_vertices[curve.vertices[1]].data();
+    }
+    return curve.spline.points()[i].data();
+  }
+
+  bool solve(double scale, const std::function<bool(double)>& proceed, double share)
+  {
+    ceres::Problem::Options ownership;
+    ownership.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+    ceres::Problem problem(ownership);
+    ceres::CauchyLoss robust(scale);
+    ceres::LossFunction* loss = m_options.use_robust_loss ? &robust : nullptr;
+    for (const Support& s : m_support) {
+      Fitted_curve& curve = m_curves[s.curve];
+      const Cubic_spline::Basis basis = curve.spline.basis(s.parameter);
+      const double d = m_band.distances[s.point];
+      const double weight = m_options.use_robust_loss ? 1. / std::sqrt(1. + 0.5 * d * d) : 1.;
+      problem.AddResidualBlock(new Field_residual(m_band.points[s.point], d, weight, basis.values.data()), loss,
+                               control(curve, basis.controls[0]), control(curve, basis.controls[1]),
+                               control(curve, basis.controls[2]), control(curve, basis.controls[3]));
+    }
+    const double roughness = 0.005 + 0.1 * m_noise;
+    for (Fitted_curve& curve : m_curves) {
+      const std::size_t n = curve.spline.points().size();
+      const std::size_t last = curve.spline.is_periodic() ? n : n - 3;
+      for (std::size_t i = 0; i < last; ++i)
+        problem.AddResidualBlock(new Roughness_residual(roughness), nullptr, control(curve, i),
+                                 control(curve, (i + 1) % n), control(curve, (i + 2) % n),
+                                 control(curve, (i + 3) % n));
+    }
+    for (std::size_t v = 0; v < m_vertices.size(); ++v) {
+      if (m_degrees[v] == 0)
+        continue;
+      problem.AddResidualBlock(new Anchor_residual(m_anchors[v], m_degrees[v] == 1 ? 0.5 : 0.02), nullptr,
+                               m_vertices[v].data());
+      if (!m_options.move_corners)
+        problem.SetParameterBlockConstant(m_vertices[v].data());
+    }
+    if (problem.NumResidualBlocks() == 0)
+      return true;
+    Stop_on_cancel stop(proceed, share);
+    ceres::Solver::Options options;
+    options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+    options.max_num_iterations = 12;
+    options.function_tolerance = 1e-5;
+    options.logging_type = ceres::SILENT;
+    options.num_threads = 1;    // sums over threads would depend on their number
+    options.callbacks.push_back(&stop);
+    ceres::Solver::Summary summary;
+    const std::vector<Vector> vertices = m_vertices;
+    const std::vector<Fitted_curve> curves = m_curves;
+    ceres::Solve(options, &problem, &summary);
+    if (!summary.IsSolutionUsable()) {   // cancelling leaves the last state as well
+      m_vertices = vertices;
+      m_curves = curves;
+    }
+    for (Fitted_curve& curve : m_curves)
+      if (!curve.is_closed_without_vertex()) {
+        curve.spline.points().front() = m_vertices[curve.vertices[0]];
+        curve.spline.points().back() = m_vertices[curve.vertices[1]];
+      }
+    return !stop.is_cancelled;
+  }
+
+  void measure()
+  {
+    std::vector<double> squares(m_curves.size(), 0.);
+    for (const Support& s : m_support) {
+      const double e = std::abs(residual(s));
+      if (e > cutoff())
+        continue;
+      Fitted_curve& curve = m_curves[s.curve];
+      squares[s.curve] += e * e;
+      curve.maximum_deviation = (std::max)(curve.maximum_deviation, e);
+      ++curve.support;
+    }
+    for (std::size_t c = 0; c < m_curves.size(); ++c)
+      if (m_curves[c].support > 0)
+        m_curves[c].root_mean_square = std::sqrt(squares[c] / double(m_curves[c].support));
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SPLINE_NETWORK_FIT_H

@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SAMPLING_DISTANCE_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SAMPLING_DISTANCE_H
+
+#include <CGAL/Wireframe_extraction/internal/Field_band.h>
+
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+constexpr std::size_t most_density_samples = 4096;
+
+// at most `most_density_samples` indices, evenly spread over [0, n)
+inline std::vector<std::size_t> spread_indices(std::size_t n)
+{
+  const std::size_t count = (std::min)(n, most_density_samples);
+  std::vector<std::size_t> indices(count);
+  for (std::size_t k = 0; k < count; ++k)
+    indices[k] = k * n / count;
+  return indices;
+}
+
+// Indices evenly spread over the ranks of the distances: the same points whatever the order of the cloud. The points
+// at the largest value are left out, since a field is truncated there and their order would be arbitrary.
+inline std::vector<std::size_t> indices_spread_by_distance(const std::vector<double>& distances)
+{
+  const double largest = distances.empty() ? 0. : *std::max_element(distances.begin(), distances.end());
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < distances.size(); ++i)
+    if (distances[i] < largest)
+      order.push_back(i);
+  if (order.size() < 64)
+    return spread_indices(distances.size());
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
+  std::vector<std::size_t> indices = spread_indices(order.size());
+  for (std::size_t& i : indices)
+    i = order[i];
+  return indices;
+}
+
+inline double median(std::vector<double> values)
+{
+  if (values.empty())
+    return 0.;
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+// From the median, over the queries, of the area of the disc to the k-th different neighbor, divided by what it holds.
+// In a Poisson-disk cloud, the distance to the nearest neighbor itself is the better measure.
+struct Cloud_scale
+{
+  double sampling_distance = 0.;
+  double slope = 0.;    // of the field between neighbors: about 1 if points and distances have the same unit
+};
+
+inline Cloud_scale cloud_scale(const std::vector<Vector>& positions, const std::vector<double>& distances,
+                               const std::vector<std::size_t>& queries)
+{
+  typedef CGAL::Search_traits<double, Vector, const double*, Construct_vector_coordinates,
+                              CGAL::Dimension_tag<3> > Base_traits;
+  typedef CGAL::Search_traits_adapter<std::size_t, Position_map, Base_traits> Traits;
+  typedef CGAL::Orthogonal_k_neighbor_search<Traits> Search;
+  typedef typename Search::Tree Tree;
+  constexpr std::size_t wanted = 16;
+  Cloud_scale scale;
+  if (positions.size() < 2)
+    return scale;
+  const Position_map map{positions.data()};
+  Tree tree(boost::counting_iterator<std::size_t>(0), boost::counting_iterator<std::size_t>(positions.size()),
+            typename Tree::Splitter(), Traits(map));
+  tree.build();
+  const typename Search::Distance metric(map);
+  std::vector<double> slopes;
+  std::vector<double> areas, nearest;
+  for (std::size_t q : queries) {
+    for (std::size_t k = wanted + 1; ; k *= 4) {
+      const Search search(tree, positions[q], static_cast<unsigned int>((std::min)(k, positions.size())), 0., true, metric);
+      std::size_t different = 0;
+      double slope = 0.;
+      double first = 0., last = 0., squared = 0.;
+      for (auto it = search.begin(); it != search.end() && different < wanted; ++it)
+        if (it->second > last * (1. + 1e-9)) {
+          last = squared = it->second;
+          if (different++ == 0)
+            first = squared;
+          if (!distances.empty())
+            slope = (std::max)(slope, std::abs(distances[q] - distances[it->first]) / std::sqrt(squared));
+        }
+      if (different < wanted && k < positions.size())
+        continue;
+      // a random cloud holds k - 1/3 points in the median of these discs, a regular one about k + 1/2
+      if (different > 0) {
+        areas.push_back(CGAL_PI * squared / (double(different) + 0.1));
+        nearest.push_back(std::sqrt(first));
+        slopes.push_back(slope);
+      }
+      break;
+    }
+  }
+  const double from_density = std::sqrt(0.82 * median(areas)), from_nearest = median(nearest);
+  if (!(from_density > 0.))
+    return scale;
+  // their ratio is 0.55 where the points are random, above 0.9 where they keep their distance
+  const double regularity = (std::min)(1., (std::max)(0., (from_nearest / from_density - 0.85) / 0.05));
+  scale.sampling_distance = from_density + regularity * (from_nearest - from_density);
+  scale.slope = median(slopes);
+  return scale;
+}
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SAMPLING_DISTANCE_H

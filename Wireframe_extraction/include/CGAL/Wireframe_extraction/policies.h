@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_POLICIES_H
+#define CGAL_WIREFRAME_EXTRACTION_POLICIES_H
+
+namespace CGAL {
+namespace Wireframe_extraction {
+
+/// \ingroup PkgWireframeExtractionParameters
+/// What tells a corner from the inside of a curve.
+enum class Corner_measure
+{
+  FIELD_RESIDUAL,  ///< how badly a single curve explains the distance field around a point
+  VARIANCE         ///< the second explained variance ratio of the points in a ball (eq. 1 of Matveev et al. 2021)
+};
+
+/// \ingroup PkgWireframeExtractionParameters
+/// How the topological graph comes about.
+enum class Graph_method
+{
+  TRACED,     ///< curves are traced through the field and joined where their ends meet
+  SUBDIVIDED  ///< a polyline per cluster is subdivided (eq. 2 of Matveev et al. 2021) and joined to the nearest corners
+};
+
+/// \ingroup PkgWireframeExtractionParameters
+/// Which points of a cluster are its ends, for `Graph_method::SUBDIVIDED`.
+enum class End_detection
+{
+  GRAPH_DISTANCE,  ///< two points farthest from each other along the neighborhood graph
+  MAIN_AXIS        ///< the extremes along the direction of largest variance
+};
+
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_POLICIES_H

@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_SELECT_SKELETON_H
+#define CGAL_WIREFRAME_EXTRACTION_SELECT_SKELETON_H
+
+#include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
+#include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/cloud_access.h>
+#include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
+
+#include <algorithm>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+
+namespace internal {
+
+// sorts the points by distance, and takes out those that repeat another one
+inline std::size_t sort_band(Field_band& band)
+{
+  std::vector<std::size_t> order(band.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    order[i] = i;
+  const auto key = [&](std::size_t i) {
+    const Vector& p = band.points[i];
+    return std::make_tuple(band.distances[i], p.x(), p.y(), p.z());
+  };
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::make_pair(key(a), band.indices[a]) < std::make_pair(key(b), band.indices[b]);
+  });
+  Field_band sorted;
+  std::size_t duplicates = 0;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (k > 0 && key(order[k]) == key(order[k - 1])) {
+      ++duplicates;
+      continue;
+    }
+    sorted.points.push_back(band.points[order[k]]);
+    sorted.distances.push_back(band.distances[order[k]]);
+    sorted.indices.push_back(band.indices[order[k]]);
+  }
+  band = std::move(sorted);
+  return duplicates;
+}
+
+// The positions and distances of a cloud, and which of its values they belong to.
+struct Cloud_values
+{
+  std::vector<Vector> positions;
+  std::vector<double> distances;
+  std::vector<std::size_t> indices;
+
+  Cloud_scale scale() const { return cloud_scale(positions, distances, indices_spread_by_distance(distances)); }
+};
+
+template <class GeomTraits>
+Wireframe_skeleton<GeomTraits> select_skeleton(const Cloud_values& cloud, double unit,
+                                               const Extraction_options& options, const GeomTraits& traits)
+{
+  auto band = std::make_shared<Field_band>();
+  Vector origin = Vector::Zero();
+  std::size_t duplicates = 0;
+  if (unit > 0.) {
+    const double widest = unit * (std::max)(options.skeleton_distance, options.support_distance);
+    for (std::size_t i = 0; i < cloud.positions.size(); ++i)
+      if (cloud.distances[i] < widest) {
+        band->points.push_back(cloud.positions[i]);
+        band->distances.push_back(cloud.distances[i]);
+        band->indices.push_back(cloud.indices[i]);
+        origin += cloud.positions[i];
+      }
+    if (band->size() > 0)
+      origin /= double(band->size());
+    for (std::size_t i = 0; i < band->size(); ++i) {
+      band->points[i] = (band->points[i] - origin) / unit;
+      band->distances[i] /= unit;
+    }
+    duplicates = sort_band(*band);
+    band->skeleton_size = std::lower_bound(band->distances.begin(), band->distances.end(),
+                                           options.skeleton_distance) - band->distances.begin();
+    band->search.build(band->points, band->size());
+  }
+  return Wireframe_skeleton<GeomTraits>(band, unit, origin, duplicates, traits);
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgWireframeExtractionFunctions
+
+selects the points near sharp features: the skeleton, whose distances are below `skeleton_distance`, and around it the
+points below `support_distance`, which later stages fit to.
+
+\tparam PointRange a model of `ConstRange` whose iterators are forward iterators
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param points the cloud. \pre All coordinates and distances are finite, and no distance is negative.
+\param np an optional sequence of named parameters:
+\cgalNamedParamsBegin
+  \cgalParamNBegin{point_map}
+    \cgalParamDescription{a property map from the value type of `points` to points}
+    \cgalParamType{a model of `ReadablePropertyMap`}
+    \cgalParamDefault{the first of a pair, or the value itself}
+  \cgalParamNEnd
+  \cgalParamNBegin{distance_map}
+    \cgalParamDescription{a property map from the value type of `points` to the distance to the nearest sharp feature}
+    \cgalParamType{a model of `ReadablePropertyMap`}
+    \cgalParamDefault{the second of a pair}
+  \cgalParamNEnd
+  \cgalParamNBegin{sampling_distance}
+    \cgalParamDescription{the sampling distance r, in the cloud's unit}
+    \cgalParamType{`double`}
+    \cgalParamDefault{what `estimate_sampling_distance()` finds}
+  \cgalParamNEnd
+  \cgalParamNBegin{skeleton_distance}
+    \cgalParamDescription{the threshold below which a point belongs to the skeleton, in multiples of r}
+    \cgalParamType{`double`}
+    \cgalParamDefault{1.5}
+  \cgalParamNEnd
+  \cgalParamNBegin{support_distance}
+    \cgalParamDescription{the threshold below which a point supports the fits, in multiples of r}
+    \cgalParamType{`double`}
+    \cgalParamDefault{3}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a model of `WireframeExtractionTraits_3`}
+    \cgalParamDefault{the kernel of the point type}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the skeleton; it is empty if no point lies below the threshold or the sampling distance is 0.
+
+Complexity: O(n) for n points and O(m log m) for the m points kept, after the estimation of the sampling distance.
+*/
+template <class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
+#ifdef DOXYGEN_RUNNING
+Wireframe_skeleton<GeomTraits>
+#else
+Wireframe_skeleton<typename internal::Cloud_access<PointRange, NamedParameters>::Geom_traits>
+#endif
+select_skeleton(const PointRange& points, const NamedParameters& np = CGAL::parameters::default_values())
+{
+  const internal::Cloud_access<PointRange, NamedParameters> access(np);
+  internal::Cloud_values cloud;
+  for (const auto& value : points) {
+    cloud.indices.push_back(cloud.positions.size());
+    cloud.positions.push_back(access.position(value));
+    cloud.distances.push_back(access.distance(value));
+  }
+  double unit = CGAL::to_double(CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, internal_np::sampling_distance), 0.));
+  if (!(unit > 0.))
+    unit = cloud.scale().sampling_distance;
+  return internal::select_skeleton(cloud, unit, internal::extraction_options(np), access.traits());
+}
+
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_SELECT_SKELETON_H

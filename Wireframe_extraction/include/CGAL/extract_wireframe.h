@@ -1,0 +1,352 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_EXTRACT_WIREFRAME_H
+#define CGAL_EXTRACT_WIREFRAME_H
+
+#include <CGAL/Wireframe_extraction/Default_visitor.h>
+#include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
+#include <CGAL/Wireframe_extraction/build_topological_graph.h>
+#include <CGAL/Wireframe_extraction/contract_skeleton.h>
+#include <CGAL/Wireframe_extraction/detect_corners.h>
+#include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
+#include <CGAL/Wireframe_extraction/fit_curves.h>
+#include <CGAL/Wireframe_extraction/segment_curves.h>
+#include <CGAL/Wireframe_extraction/select_skeleton.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <sstream>
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// Collects the valid points; returns false, with a message, if there are others that must not be skipped.
+template <class PointRange, class Access>
+bool collect_values(const PointRange& points, const Access& access, bool skip_invalid, Cloud_values& cloud,
+                    Wireframe_extraction_report& report)
+{
+  std::size_t index = 0, not_finite = 0, negative = 0, first = 0;
+  for (const auto& value : points) {
+    const Vector position = access.position(value);
+    const double distance = access.distance(value);
+    const bool is_finite = position.allFinite() && std::isfinite(distance);
+    if (is_finite && distance >= 0.) {
+      cloud.positions.push_back(position);
+      cloud.distances.push_back(distance);
+      cloud.indices.push_back(index);
+    } else {
+      if (not_finite + negative == 0)
+        first = index;
+      ++(is_finite ? negative : not_finite);
+    }
+    ++index;
+  }
+  report.number_of_points = index;
+  report.number_of_skipped_points = not_finite + negative;
+  std::ostringstream message;
+  if (index == 0)
+    message << "the cloud has no points";
+  else if (not_finite + negative > 0 && !skip_invalid)
+    message << not_finite << " points have coordinates or distances that are not finite and " << negative
+            << " have negative distances; the first is the point with index " << first
+            << " (counted from 0); remove them, or skip invalid points";
+  else if (cloud.positions.empty())
+    message << "none of the " << index << " points is valid";
+  report.message = message.str();
+  return report.message.empty();
+}
+
+// the dimension of the affine hull, up to rounding
+inline int dimension(const std::vector<Vector>& positions)
+{
+  Vector mean = Vector::Zero();
+  for (const Vector& p : positions)
+    mean += p / double(positions.size());
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (const Vector& p : positions)
+    covariance += (p - mean) * (p - mean).transpose() / double(positions.size());
+  const Vector variances = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues();
+  const double largest = (std::max)(variances[2], 1e-24 * mean.squaredNorm());
+  int result = 0;
+  for (int k = 0; k < 3; ++k)
+    result += variances[k] > 1e-14 * largest && variances[k] > 1e-24 * mean.squaredNorm();
+  return result;
+}
+
+inline bool check_scale(const Cloud_scale& scale, Wireframe_extraction_report& report)
+{
+  std::ostringstream message;
+  if (scale.slope > 8.)
+    message << "the distances do not fit the points: from point to point they change " << scale.slope
+            << " times as much as the points are apart; are they in another unit?";
+  else if (scale.slope > 0. && scale.slope < 0.1)
+    message << "the distances do not fit the points: from point to point they change only " << scale.slope
+            << " times as much as the points are apart; are they in another unit?";
+  report.message = message.str();
+  return report.message.empty();
+}
+
+inline std::string no_feature_message(const Cloud_values& cloud, double unit, double threshold)
+{
+  const double smallest = *std::min_element(cloud.distances.begin(), cloud.distances.end());
+  std::ostringstream message;
+  message << "no point lies near a feature: the smallest distance is " << smallest << ", the threshold is "
+          << threshold * unit << " (" << threshold << " times the sampling distance " << unit << ")";
+  if (smallest > 50. * unit)
+    message << "; are the distances in another unit than the points?";
+  return message.str();
+}
+
+template <class T> T& referred(T& object) { return object; }
+template <class T> T& referred(std::reference_wrapper<T>& reference) { return reference.get(); }
+
+// Runs the stages, keeps the time, and stops where the callback says so.
+class Stage_runner
+{
+  std::function<bool(double)> m_callback;
+  Wireframe_extraction_report& m_report;
+  double m_begin = 0., m_end = 0.;
+  bool m_is_cancelled = false;
+
+public:
+  Stage_runner(const std::function<bool(double)>& callback, Wireframe_extraction_report& report)
+    : m_callback(callback), m_report(report)
+  {}
+
+  bool is_cancelled() const { return m_is_cancelled; }
+
+  // progress within the current stage
+  bool proceed(double share)
+  {
+    if (!m_is_cancelled && m_callback)
+      m_is_cancelled = !m_callback(m_begin + (std::min)(1., (std::max)(0., share)) * (m_end - m_begin));
+    return !m_is_cancelled;
+  }
+
+  template <class Stage>
+  bool run(const char* name, double share_when_done, const Stage& stage)
+  {
+    m_begin = m_end;
+    m_end = share_when_done;
+    CGAL::Real_timer timer;
+    timer.start();
+    stage();
+    timer.stop();
+    m_report.seconds.emplace_back(name, timer.time());
+    return proceed(1.);
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+
+/*!
+\ingroup PkgWireframeExtractionFunctions
+
+extracts the parametric wireframe of a shape from a dense point cloud of its surface, in which every point carries an
+estimate of its distance to the nearest sharp feature curve.
+
+The function chains `estimate_sampling_distance()`, `select_skeleton()`, `contract_skeleton()`, `detect_corners()`,
+`segment_curves()`, `build_topological_graph()` and `fit_curves()`; every named parameter of these functions can be
+given. The result does not depend on the order of the points or the number of threads, and moves and scales with the
+cloud, up to rounding.
+
+\tparam PointRange a model of `ConstRange` whose iterators are forward iterators
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param points the cloud
+\param np an optional sequence of named parameters, those of the stages and:
+\cgalNamedParamsBegin
+  \cgalParamNBegin{point_map}
+    \cgalParamDescription{a property map from the value type of `points` to points}
+    \cgalParamType{a model of `ReadablePropertyMap`}
+    \cgalParamDefault{the first of a pair, or the value itself}
+  \cgalParamNEnd
+  \cgalParamNBegin{distance_map}
+    \cgalParamDescription{a property map from the value type of `points` to the distance to the nearest sharp feature}
+    \cgalParamType{a model of `ReadablePropertyMap`}
+    \cgalParamDefault{the second of a pair}
+  \cgalParamNEnd
+  \cgalParamNBegin{sampling_distance}
+    \cgalParamDescription{the sampling distance r of the cloud, in its unit}
+    \cgalParamType{`double`}
+    \cgalParamDefault{what `estimate_sampling_distance()` finds}
+  \cgalParamNEnd
+  \cgalParamNBegin{skip_invalid}
+    \cgalParamDescription{whether points that are not finite or have a negative distance are left out; otherwise they
+                          are an error}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{extraction_report}
+    \cgalParamDescription{a reference to what shall tell how the extraction went: `std::ref(report)`}
+    \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
+    \cgalParamDefault{unused}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{a visitor that sees the result of each stage; pass `std::ref(visitor)` to keep it}
+    \cgalParamType{a model of `WireframeExtractionVisitor`, or a `std::reference_wrapper` of one}
+    \cgalParamDefault{`Wireframe_extraction::Default_visitor`}
+  \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{a function that is called with the share that is done and returns whether to go on}
+    \cgalParamType{an instance of `std::function<bool(double)>`}
+    \cgalParamDefault{unused}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a model of `WireframeExtractionTraits_3`}
+    \cgalParamDefault{the kernel of the point type}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the wireframe. It is empty if the input is invalid, if there is no feature, or after cancelling; the report
+says which.
+
+Complexity: O(n log n) for n points.
+*/
+template <class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
+#ifdef DOXYGEN_RUNNING
+Wireframe<GeomTraits>
+#else
+Wireframe<typename Wireframe_extraction::internal::Cloud_access<PointRange, NamedParameters>::Geom_traits>
+#endif
+extract_wireframe(const PointRange& points, const NamedParameters& np = CGAL::parameters::default_values())
+{
+  namespace WE = Wireframe_extraction;
+  namespace np_tags = WE::internal_np;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  typedef WE::internal::Cloud_access<PointRange, NamedParameters> Access;
+  typedef typename Access::Geom_traits Geom_traits;
+  typedef Wireframe_extraction_report Report;
+
+  Report own_report;
+  Report& report = choose_parameter(get_parameter(np, np_tags::extraction_report), std::ref(own_report)).get();
+  report = Report();
+  WE::Default_visitor no_visitor;
+  auto given_visitor = choose_parameter(get_parameter(np, np_tags::visitor), std::ref(no_visitor));
+  auto& visitor = WE::internal::referred(given_visitor);
+  const std::function<bool(double)> callback = choose_parameter(
+    get_parameter(np, CGAL::internal_np::callback), std::function<bool(double)>());
+  WE::internal::Stage_runner runner(callback, report);
+  const Access access(np);
+  const WE::internal::Extraction_options options = WE::internal::extraction_options(np);
+
+  Wireframe<Geom_traits> wireframe;
+  const auto give_up = [&](Report::Status status) {
+    report.status = status;
+    if (status == Report::Status::CANCELLED)
+      report.message = "cancelled";
+    return Wireframe<Geom_traits>();
+  };
+
+  WE::internal::Cloud_values cloud;
+  const bool skip_invalid = choose_parameter(get_parameter(np, np_tags::skip_invalid), false);
+  if (!WE::internal::collect_values(points, access, skip_invalid, cloud, report))
+    return give_up(Report::Status::INVALID_INPUT);
+  const int dimension = WE::internal::dimension(cloud.positions);
+  if (dimension < 2) {
+    report.message = dimension == 0 ? "all points coincide" : "all points lie on one line";
+    return give_up(Report::Status::INVALID_INPUT);
+  }
+  if (dimension == 2)
+    report.warnings.push_back("all points lie in one plane");
+
+  double unit = CGAL::to_double(choose_parameter(get_parameter(np, np_tags::sampling_distance), 0.));
+  WE::internal::Cloud_scale scale;
+  if (!runner.run("sampling distance", 0.15, [&] { if (unit == 0.) scale = cloud.scale(); }))
+    return give_up(Report::Status::CANCELLED);
+  if (unit == 0.) {
+    unit = scale.sampling_distance;
+    if (!WE::internal::check_scale(scale, report))
+      return give_up(Report::Status::INVALID_INPUT);
+  }
+  if (!(unit > 0.) || !std::isfinite(unit)) {
+    report.message = "the sampling distance must be positive and finite";
+    return give_up(Report::Status::INVALID_INPUT);
+  }
+  report.sampling_distance = unit;
+  visitor.sampling_distance_estimated(unit);
+
+  Wireframe_skeleton<Geom_traits> skeleton;
+  if (!runner.run("skeleton", 0.2, [&] {
+        skeleton = WE::internal::select_skeleton(cloud, unit, options, access.traits());
+      }))
+    return give_up(Report::Status::CANCELLED);
+  report.skeleton_size = skeleton.size();
+  report.number_of_duplicates = skeleton.number_of_duplicates();
+  if (report.number_of_duplicates > 0)
+    report.warnings.push_back(std::to_string(report.number_of_duplicates)
+                              + " points near features repeat others exactly and were left out");
+  if (skeleton.is_empty()) {
+    report.message = WE::internal::no_feature_message(cloud, unit, options.skeleton_distance);
+    return give_up(Report::Status::NO_FEATURE);
+  }
+  visitor.skeleton_selected(skeleton);
+  cloud = WE::internal::Cloud_values();
+
+  if (!runner.run("contraction", 0.5, [&] { WE::contract_skeleton(skeleton, np); }))
+    return give_up(Report::Status::CANCELLED);
+  report.noise = skeleton.contraction().noise * unit;
+  visitor.skeleton_contracted(skeleton);
+
+  std::vector<Wireframe_corner<Geom_traits> > corners;
+  if (!runner.run("corners", 0.55, [&] { corners = WE::detect_corners(skeleton, np); }))
+    return give_up(Report::Status::CANCELLED);
+  visitor.corners_detected(skeleton, corners);
+
+  std::vector<std::vector<std::size_t> > clusters;
+  if (!runner.run("segmentation", 0.6, [&] { clusters = WE::segment_curves(skeleton, corners, np); }))
+    return give_up(Report::Status::CANCELLED);
+  report.number_of_clusters = clusters.size();
+  visitor.curves_segmented(skeleton, clusters);
+
+  const auto progress = [&](double share) { return runner.proceed(share); };
+  Wireframe_graph<Geom_traits> graph;
+  if (!runner.run("graph", 0.8, [&] {
+        graph = WE::internal::build_graph(skeleton, corners, clusters, options, progress);
+      }))
+    return give_up(Report::Status::CANCELLED);
+  visitor.graph_built(graph);
+
+  if (!runner.run("splines", 1., [&] { wireframe = WE::internal::fit(skeleton, graph, options, progress); }))
+    return give_up(Report::Status::CANCELLED);
+  if (wireframe.is_empty()) {
+    report.message = "no curve explains the field";
+    return give_up(Report::Status::NO_FEATURE);
+  }
+  report.number_of_corners = wireframe.vertices.size();
+  report.number_of_curves = wireframe.curves.size();
+  double squares = 0., support = 0.;
+  for (const Wireframe_curve<Geom_traits>& curve : wireframe.curves) {
+    const double rms = CGAL::to_double(curve.root_mean_square);
+    squares += rms * rms * double(curve.support);
+    support += double(curve.support);
+    report.maximum_deviation = (std::max)(report.maximum_deviation, CGAL::to_double(curve.maximum_deviation));
+  }
+  report.root_mean_square = support > 0. ? std::sqrt(squares / support) : 0.;
+  visitor.curves_fitted(wireframe);
+  return wireframe;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_EXTRACT_WIREFRAME_H

@@ -1,0 +1,354 @@
+// The command line tool: a cloud with distances in, its wireframe out. See extract_wireframe --help.
+
+#include "extract_wireframe_options.h"
+#include "extract_wireframe_outputs.h"
+#include "extract_wireframe_stages.h"
+#include "extract_wireframe_summary.h"
+
+#include <CGAL/extract_wireframe.h>
+#include <CGAL/Wireframe_extraction/Default_visitor.h>
+#include <CGAL/Wireframe_extraction/IO/read_distance_cloud.h>
+#include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
+#include <CGAL/Wireframe_extraction/parameters.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#ifdef _WIN32
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tool {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef std::vector<std::pair<Kernel::Point_3, double> > Cloud;
+typedef CGAL::Wireframe<Kernel> Wireframe;
+typedef CGAL::Wireframe_extraction_report Report;
+namespace parameters = CGAL::Wireframe_extraction::parameters;
+
+inline bool is_error_stream_terminal()
+{
+#ifdef _WIN32
+  return _isatty(_fileno(stderr)) != 0;
+#else
+  return isatty(STDERR_FILENO) != 0;
+#endif
+}
+
+// One line on a terminal that says how far the work is; nothing elsewhere.
+class Progress
+{
+public:
+  explicit Progress(bool is_on) : m_is_on(is_on) {}
+  ~Progress() { clear(); }
+
+  void start(const char* what)
+  {
+    m_what = what;
+    show();
+  }
+
+  // may be called by another thread
+  void set(double share)
+  {
+    const int percent = static_cast<int>(100. * share);
+    if(m_percent.exchange(percent) != percent)
+      show();
+  }
+
+  void clear() const
+  {
+    if(m_is_on)
+      std::fputs("\r\033[K", stderr);
+  }
+
+private:
+  void show() const
+  {
+    if(m_is_on)
+      std::fprintf(stderr, "\r\033[K%3d %% %s", m_percent.load(), m_what.load());
+  }
+
+  const bool m_is_on;
+  std::atomic<const char*> m_what{""};
+  std::atomic<int> m_percent{0};
+};
+
+// shows which stage is at work, and writes what the stages made
+class Visitor : public CGAL::Wireframe_extraction::Default_visitor
+{
+public:
+  Visitor(Progress& progress, Stage_writer& stages) : m_progress(progress), m_stages(stages) {}
+
+  template <class FT>
+  void sampling_distance_estimated(const FT&) { m_progress.start("selecting the skeleton"); }
+
+  template <class Skeleton>
+  void skeleton_selected(const Skeleton& skeleton)
+  {
+    m_stages.write_skeleton(skeleton);
+    m_progress.start("contracting the skeleton");
+  }
+
+  template <class Skeleton>
+  void skeleton_contracted(const Skeleton& skeleton)
+  {
+    m_stages.write_feet(skeleton);
+    m_progress.start("detecting corners");
+  }
+
+  template <class Skeleton, class Corners>
+  void corners_detected(const Skeleton& skeleton, const Corners& corners)
+  {
+    m_stages.write_corners(skeleton, corners);
+    m_progress.start("segmenting curves");
+  }
+
+  template <class Skeleton, class Clusters>
+  void curves_segmented(const Skeleton& skeleton, const Clusters& clusters)
+  {
+    m_stages.write_clusters(skeleton, clusters);
+    m_progress.start("building the graph");
+  }
+
+  template <class Graph>
+  void graph_built(const Graph& graph)
+  {
+    m_stages.write_graph(graph);
+    m_progress.start("fitting curves");
+  }
+
+  template <class Result>
+  void curves_fitted(const Result& wireframe)
+  {
+    m_stages.write_curves(wireframe);
+    m_progress.start("writing");
+  }
+
+private:
+  Progress& m_progress;
+  Stage_writer& m_stages;
+};
+
+class Tool
+{
+public:
+  explicit Tool(const Command_line& command_line, const Options& options)
+    : m_command_line(command_line), m_options(options), m_outputs(options.outputs)
+  {}
+
+  void run()
+  {
+    check_that_files_differ(m_options);
+    m_outputs.check();
+    if(m_options.has_stages)
+      throw_if(m_folder.make(m_options.stages_folder), USAGE_ERROR);
+    limit_threads();
+    Progress progress(!m_options.is_quiet && is_error_stream_terminal());
+    progress.start("reading");
+    const Cloud cloud = read();
+    if(m_options.has_stages)
+      m_folder.remove_old_files();
+    progress.start("estimating the sampling distance");
+    Stage_writer stages(m_folder);
+    const Wireframe wireframe = extract(cloud, progress, stages);
+    throw_if(stages.error(), INTERNAL_ERROR);
+    throw_if_failed(wireframe);
+    const auto begin = Clock::now();
+    m_outputs.write(wireframe);
+    m_seconds.emplace_back("writing", seconds_since(begin));
+    progress.clear();
+    if(!m_options.is_quiet)
+      summarize(wireframe, stages);
+  }
+
+private:
+  typedef std::chrono::steady_clock Clock;
+
+  static double seconds_since(Clock::time_point begin)
+  {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+  }
+
+  static void throw_if(const std::string& error, Exit_code code)
+  {
+    if(!error.empty())
+      throw Error(code, error);
+  }
+
+  void limit_threads()
+  {
+    if(m_options.number_of_threads == 0)
+      return;
+#ifdef CGAL_LINKED_WITH_TBB
+    m_thread_limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                           static_cast<std::size_t>(m_options.number_of_threads));
+#else
+    if(m_options.number_of_threads > 1)
+      m_notes.push_back("--threads has no effect: the tool was built without TBB and uses one thread");
+#endif
+  }
+
+  Cloud read()
+  {
+    const auto begin = Clock::now();
+    Cloud cloud;
+    std::string error;
+    const auto np = parameters::skip_invalid(m_options.skip_invalid).error_message(&error)
+                      .distance_property(m_options.distance_property).number_of_skipped(&m_number_of_skipped);
+    const bool is_read = m_options.has_distances
+                           ? CGAL::IO::read_distance_cloud(m_options.cloud, m_options.distances, cloud, np)
+                           : CGAL::IO::read_distance_cloud(m_options.cloud, cloud, np);
+    if(!is_read)
+      throw Error(BAD_INPUT, with_option_names(error));
+    m_seconds.emplace_back("reading", seconds_since(begin));
+    return cloud;
+  }
+
+  // the name of the cloud, with which messages begin, stays as it is
+  std::string with_option_names(const std::string& text) const
+  {
+    const std::size_t size = text.compare(0, m_options.cloud.size(), m_options.cloud) == 0 ? m_options.cloud.size() : 0;
+    return text.substr(0, size) + m_command_line.with_option_names(text.substr(size));
+  }
+
+  // All parameters are given each time, so that the library is compiled for one pack of them.
+  Wireframe extract(const Cloud& cloud, Progress& progress, Stage_writer& stages)
+  {
+    const Extraction_options& options = m_options.extraction;
+    Visitor visitor(progress, stages);
+    const std::function<bool(double)> callback = [&progress, &stages](double share)
+    {
+      progress.set(share);
+      return stages.error().empty();
+    };
+    return CGAL::extract_wireframe(cloud,
+      parameters::sampling_distance(m_options.sampling_distance)
+        .noise_level(options.noise_level)
+        .skeleton_distance(options.skeleton_distance)
+        .support_distance(options.support_distance)
+        .fitting_radius(options.fitting_radius)
+        .corner_measure(options.corner_measure)
+        .corner_sampling_ratio(options.corner_sampling_ratio)
+        .corner_radius(options.corner_radius)
+        .corner_variance(options.corner_variance)
+        .corner_residual(options.corner_residual)
+        .connection_radius(options.connection_radius)
+        .connection_angle(options.connection_angle)
+        .use_tangents(options.use_tangents)
+        .graph_method(options.graph_method)
+        .end_detection(options.end_detection)
+        .split_threshold(options.split_threshold)
+        .corner_reach(options.corner_reach)
+        .maximum_gap(options.maximum_gap)
+        .smooth_angle(options.smooth_angle)
+        .minimum_evidence(options.minimum_evidence)
+        .use_robust_loss(options.use_robust_loss)
+        .move_corners(options.move_corners)
+        .adapt_knots(options.adapt_knots)
+        .number_of_rounds(options.number_of_rounds)
+        .skip_invalid(m_options.skip_invalid)
+        .extraction_report(std::ref(m_report))
+        .visitor(std::ref(visitor))
+        .callback(callback));
+  }
+
+  void throw_if_failed(const Wireframe& wireframe) const
+  {
+    const std::string message = m_options.cloud + ": " + m_command_line.with_option_names(m_report.message);
+    if(m_report.status == Report::Status::INVALID_INPUT)
+      throw Error(BAD_INPUT, message);
+    if(m_report.status == Report::Status::NO_FEATURE)
+      throw Error(NO_FEATURE, message);
+    if(m_report.status != Report::Status::SUCCESS || wireframe.is_empty())
+      throw Error(INTERNAL_ERROR, message);
+  }
+
+  void summarize(const Wireframe& wireframe, const Stage_writer& stages)
+  {
+    m_seconds.insert(m_seconds.end() - 1, m_report.seconds.begin(), m_report.seconds.end());
+    std::vector<std::string> files = m_options.outputs;
+    files.insert(files.end(), stages.written_files().begin(), stages.written_files().end());
+    print_summary(std::cout, m_options, wireframe, m_report,
+                  m_number_of_skipped + m_report.number_of_skipped_points, m_seconds, files);
+    for(const std::string& note : m_notes)
+      std::cout << "Note: " << note << '\n';
+    for(const std::string& warning : m_report.warnings)
+      std::cout << "Warning: " << m_command_line.with_option_names(warning) << '\n';
+  }
+
+  const Command_line& m_command_line;
+  const Options& m_options;
+  const Output_files<Kernel> m_outputs;
+  Stage_folder m_folder;
+  Report m_report;
+  std::size_t m_number_of_skipped = 0;
+  std::vector<std::pair<std::string, double> > m_seconds;
+  std::vector<std::string> m_notes;
+#ifdef CGAL_LINKED_WITH_TBB
+  std::unique_ptr<tbb::global_control> m_thread_limit;
+#endif
+};
+
+// whatever went wrong is said in one line, whose start scripts can rely on
+int fail(Exit_code code, std::string text)
+{
+  for(char& c : text)
+    if(static_cast<unsigned char>(c) < 32 || c == 127)
+      c = ' ';
+  std::cerr << "extract_wireframe: error: " << text << '\n';
+  return code;
+}
+
+} // namespace tool
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    tool::Options options;
+    tool::Command_line command_line(options);
+    try
+    {
+      command_line.parse(argc, argv);
+    }
+    catch(const CLI::ParseError& error)
+    {
+      if(error.get_exit_code() == 0)
+        return command_line.show_help_or_version(error);
+      return tool::fail(tool::USAGE_ERROR, std::string(error.what()) + " (extract_wireframe --help tells more)");
+    }
+    tool::Tool(command_line, options).run();
+    return tool::SUCCESS;
+  }
+  catch(const tool::Error& error)
+  {
+    return tool::fail(error.exit_code, error.what());
+  }
+  catch(const std::bad_alloc&)
+  {
+    return tool::fail(tool::INTERNAL_ERROR, "there is not enough memory for this cloud");
+  }
+  catch(const std::exception& error)
+  {
+    return tool::fail(tool::INTERNAL_ERROR, std::string("unexpected: ") + error.what());
+  }
+}

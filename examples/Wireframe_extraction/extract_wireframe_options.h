@@ -1,0 +1,384 @@
+// The command line of the tool extract_wireframe.
+
+#ifndef EXTRACT_WIREFRAME_OPTIONS_H
+#define EXTRACT_WIREFRAME_OPTIONS_H
+
+#include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/parameters.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tool {
+
+// the thresholds of the library with their defaults, which are written there once
+typedef CGAL::Wireframe_extraction::internal::Extraction_options Extraction_options;
+
+// what the exit code tells
+enum Exit_code { SUCCESS = 0, INTERNAL_ERROR = 1, USAGE_ERROR = 2, BAD_INPUT = 3, NO_FEATURE = 4 };
+
+// a failure that ends the tool
+struct Error : std::runtime_error
+{
+  Exit_code exit_code;
+
+  Error(Exit_code code, const std::string& text) : std::runtime_error(text), exit_code(code) {}
+};
+
+struct Options
+{
+  std::string cloud, distances, distance_property, stages_folder;
+  std::vector<std::string> outputs;
+  bool has_distances = false, has_stages = false;
+  bool skip_invalid = false, is_paper = false, is_quiet = false;
+  int number_of_threads = 0;      // 0: as many as there are
+  double sampling_distance = 0.;  // 0: to be estimated
+  Extraction_options extraction;
+};
+
+// Option by option: its name, and its description in lines that fit a terminal.
+class Help_formatter : public CLI::Formatter
+{
+public:
+  std::string make_option(const CLI::Option* option, bool is_positional) const override
+  {
+    std::string text = "  " + make_option_name(option, is_positional);
+    if(!option->get_type_name().empty())
+      text += " " + option->get_type_name();
+    std::string line = text + std::string(text.size() < indent - 1 ? indent - text.size() : indent, ' ');
+    if(text.size() >= indent - 1)
+      line.insert(text.size(), "\n");
+    std::string description = option->get_description();
+    if(!option->get_default_str().empty())
+      description += " [" + option->get_default_str() + "]";
+    return line + wrapped(description) + "\n";
+  }
+
+private:
+  static std::string wrapped(const std::string& description)
+  {
+    std::string result;
+    std::size_t column = indent;
+    std::istringstream words(description);
+    for(std::string word; words >> word; column += word.size() + 1)
+    {
+      if(column + word.size() > 100)
+      {
+        result += "\n" + std::string(indent, ' ');
+        column = indent;
+      }
+      else if(!result.empty())
+        result += " ";
+      result += word;
+    }
+    return result;
+  }
+
+  static constexpr std::size_t indent = 32;
+};
+
+class Command_line
+{
+public:
+  explicit Command_line(Options& options)
+    : m_options(options),
+      m_app("Extracts a parametric wireframe from a point cloud with estimated distances to sharp curves.",
+            "extract_wireframe")
+  {
+    m_app.formatter(std::make_shared<Help_formatter>());
+    m_app.set_help_flag(); // for now, so that the files come first
+    add_files();
+    add_run();
+    add_skeleton();
+    add_corners();
+    add_curves();
+    add_graph();
+    add_fit();
+    m_app.footer(
+      "Exit codes: 0 success, 1 internal error (or a full disk), 2 wrong usage, 3 bad input,\n"
+      "4 no sharp feature found. On failure no OUT is left behind or overwritten.\n\n"
+      "Example: extract_wireframe part.ply -o part.json -o part.obj");
+  }
+
+  // throws CLI::ParseError, also when the help or the version is asked for
+  void parse(int argc, char** argv)
+  {
+    m_app.parse(argc, argv);
+    if(m_options.is_paper)
+    {
+      // once more, so that what was given counts on top of the published behaviour
+      namespace wireframe = CGAL::Wireframe_extraction;
+      m_options.extraction = wireframe::internal::extraction_options(wireframe::parameters::paper_defaults());
+      m_app.parse(argc, argv);
+    }
+    m_options.has_distances = m_app.count("--distances") > 0;
+    m_options.has_stages = m_app.count("--stages") > 0;
+  }
+
+  int show_help_or_version(const CLI::ParseError& request) const { return m_app.exit(request); }
+
+  // The library speaks of its named parameters, the user of the tool knows them as options.
+  std::string with_option_names(std::string text) const
+  {
+    for(const CLI::Option* const option : m_app.get_options())
+      for(const std::string& name : option->get_lnames())
+        if(name.find('-') != std::string::npos)
+          replace_words(text, with_underscores(name), "--" + name);
+    return text;
+  }
+
+private:
+  void add_files()
+  {
+    const std::string group = "Files";
+    m_app.add_option("CLOUD", m_options.cloud,
+                     "The points and their distances: .ply (ascii or binary), or a text of four columns: .xyz "
+                     ".txt .csv .asc .pts")
+      ->required()->type_name(" ");
+    m_app.add_option("-o,--output", m_options.outputs,
+                     "Where the wireframe goes, as often as needed; the extension gives the format: .json (all of "
+                     "it), or .obj .ply .polylines.txt .txt .cgal (sampled curves)")
+      ->required()->take_all()->allow_extra_args(false)->type_name("OUT")->group(group);
+    CLI::Option* const distances = m_app.add_option("--distances", m_options.distances,
+                     "A text file with the distances, one per line, if they are not in CLOUD")
+      ->type_name("FILE")->group(group);
+    m_app.add_option("--distance-property", m_options.distance_property,
+                     "The property or column of CLOUD that holds the distances; otherwise the first that is there "
+                     "of distance, distances, sharpness, scalar_distance, quality")
+      ->type_name("NAME")->excludes(distances)->group(group);
+    m_app.add_flag("--skip-invalid", m_options.skip_invalid,
+                   "Leave out points with a number that is not finite, or a negative distance")
+      ->group(group);
+    m_app.add_option("--stages", m_options.stages_folder,
+                     "Write the result of each stage into this folder (made if missing), as coloured PLY files "
+                     "1_skeleton.ply to 6_curves.ply for MeshLab or CloudCompare; those of an earlier run are "
+                     "replaced. They stay if a later stage fails")
+      ->type_name("DIR")->group(group);
+  }
+
+  void add_run()
+  {
+    const std::string group = "Run";
+    m_app.add_flag("--paper", m_options.is_paper,
+                   "Start from the behaviour published in arXiv 2107.06165 instead of the defaults shown here; "
+                   "other options count on top of it")
+      ->group(group);
+    add_checked("--threads", m_options.number_of_threads, 1, 1024, "Use at most this many threads", group)
+      ->type_name("N");
+    m_app.add_flag("--quiet", m_options.is_quiet, "Print nothing but errors")->group(group);
+    m_app.set_help_flag("-h,--help", "Print this help")->group(group);
+    m_app.set_version_flag("--version", "extract_wireframe " WIREFRAME_EXTRACTION_VERSION_STRING, "Print the version")
+      ->group(group);
+  }
+
+  void add_skeleton()
+  {
+    const std::string group = "Scale and skeleton (r is the sampling distance)";
+    Extraction_options& extraction = m_options.extraction;
+    add_number("--sampling-distance", m_options.sampling_distance, 0., infinity, false,
+               "The sampling distance r, in the cloud's unit; estimated if not given", group, false);
+    add_number("--noise-level", extraction.noise_level, 0., infinity, true,
+               "Noise of the distances, in r; estimated if not given", group, false);
+    add_number("--skeleton-distance", extraction.skeleton_distance, 0., infinity, false,
+               "Points with a smaller distance form the skeleton, in r", group);
+    add_number("--support-distance", extraction.support_distance, 0., infinity, false,
+               "Points with a smaller distance support the fits, in r", group);
+    add_number("--fitting-radius", extraction.fitting_radius, 0., infinity, false,
+               "Radius of the balls in which curves are fitted to the field, in r", group);
+  }
+
+  void add_corners()
+  {
+    namespace wireframe = CGAL::Wireframe_extraction;
+    const std::string group = "Corners";
+    Extraction_options& extraction = m_options.extraction;
+    add_choice("--corner-measure", extraction.corner_measure,
+               {{"field-residual", wireframe::Corner_measure::FIELD_RESIDUAL},
+                {"variance", wireframe::Corner_measure::VARIANCE}},
+               "What tells a corner: the residual of a fit to the field, or the variance of the points", group);
+    add_number("--corner-sampling-ratio", extraction.corner_sampling_ratio, 0., 1., false,
+               "Share of the skeleton at which corners are looked for", group);
+    add_number("--corner-radius", extraction.corner_radius, 0., infinity, false,
+               "Radius of the balls in which corners are looked for, in r", group);
+    add_number("--corner-variance", extraction.corner_variance, 0., 1., true,
+               "Explained variance ratio above which a ball holds a corner, for variance", group);
+    add_number("--corner-residual", extraction.corner_residual, 0., infinity, false,
+               "Residual above which a ball holds a corner, for field-residual, in r; follows from the noise if "
+               "not given", group, false);
+  }
+
+  void add_curves()
+  {
+    const std::string group = "Curve clusters";
+    Extraction_options& extraction = m_options.extraction;
+    add_number("--connection-radius", extraction.connection_radius, 0., infinity, false,
+               "Points closer than this may belong to one curve, in r", group);
+    add_number("--connection-angle", extraction.connection_angle, 0., 90., true,
+               "Largest angle between the tangents of connected points, in degrees", group);
+    add_boolean("--use-tangents", extraction.use_tangents, "Whether tangents decide on connections", group);
+  }
+
+  void add_graph()
+  {
+    namespace wireframe = CGAL::Wireframe_extraction;
+    const std::string group = "Topological graph";
+    Extraction_options& extraction = m_options.extraction;
+    add_choice("--graph-method", extraction.graph_method,
+               {{"traced", wireframe::Graph_method::TRACED}, {"subdivided", wireframe::Graph_method::SUBDIVIDED}},
+               "Trace curves through the field, or subdivide a polyline per cluster", group);
+    add_choice("--end-detection", extraction.end_detection,
+               {{"graph-distance", wireframe::End_detection::GRAPH_DISTANCE},
+                {"main-axis", wireframe::End_detection::MAIN_AXIS}},
+               "How the ends of a cluster are found, for subdivided", group);
+    add_number("--split-threshold", extraction.split_threshold, 0., infinity, false,
+               "Residual above which a polyline is subdivided, for subdivided, in r", group);
+    add_number("--corner-reach", extraction.corner_reach, 0., infinity, true,
+               "How far from a corner a curve may end to be joined to it, in r", group);
+    add_number("--maximum-gap", extraction.maximum_gap, 0., infinity, true,
+               "Longest gap between facing ends that is bridged, for traced, in r", group);
+    add_number("--smooth-angle", extraction.smooth_angle, 0., 180., true,
+               "A curve that turns by less goes on through a vertex, in degrees", group);
+    add_number("--minimum-evidence", extraction.minimum_evidence, 0., infinity, true,
+               "Support of the field a curve must have to be kept, for traced", group);
+  }
+
+  void add_fit()
+  {
+    const std::string group = "Fit";
+    Extraction_options& extraction = m_options.extraction;
+    add_boolean("--use-robust-loss", extraction.use_robust_loss, "Whether outliers of the field count less", group);
+    add_boolean("--move-corners", extraction.move_corners, "Whether corners move to where curves meet", group);
+    add_boolean("--adapt-knots", extraction.adapt_knots, "Whether knots are added where residuals ask for them",
+                group);
+    add_checked("--number-of-rounds", extraction.number_of_rounds, 1, 1000,
+                "Rounds of the fit, each with new foot points", group)
+      ->capture_default_str();
+  }
+
+  CLI::Option* add_number(const std::string& name, double& value, double least, double most, bool is_least_allowed,
+                          const std::string& description, const std::string& group, bool has_default = true)
+  {
+    // CLI11's own checks let through what is not a number, and infinities
+    const auto check = [=](const std::string& text)
+    {
+      double x = 0.;
+      const bool is_number = CLI::detail::lexical_cast(text, x) && std::isfinite(x);
+      if(is_number && (x > least || (is_least_allowed && x == least)) && x <= most)
+        return std::string();
+      return "\"" + text + "\" is not a number " + (is_least_allowed ? "from " : "above ") + to_text(least)
+             + (is_least_allowed || most != infinity ? (most == infinity ? " on" : " to " + to_text(most)) : "");
+    };
+    CLI::Option* const option = m_app.add_option(name, value, description)
+      ->check(CLI::Validator(check, ""))->type_name("NUMBER")->group(group);
+    if(has_default)
+      option->default_str(to_text(value));
+    return option;
+  }
+
+  CLI::Option* add_checked(const std::string& name, int& value, int least, int most, const std::string& description,
+                           const std::string& group)
+  {
+    const auto check = [=](const std::string& text)
+    {
+      int x = 0;
+      const bool is_digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+      if(is_digits && text.size() < 9 && CLI::detail::lexical_cast(text, x) && x >= least && x <= most)
+        return std::string();
+      return "\"" + text + "\" is not a whole number from " + std::to_string(least) + " to " + std::to_string(most);
+    };
+    return m_app.add_option(name, value, description)
+      ->check(CLI::Validator(check, ""))->type_name("NUMBER")->group(group);
+  }
+
+  void add_boolean(const std::string& name, bool& value, const std::string& description, const std::string& group)
+  {
+    add_choice(name, value, {{"true", true}, {"false", false}}, description, group);
+  }
+
+  template <class Value>
+  void add_choice(const std::string& name, Value& value,
+                  std::initializer_list<std::pair<const char*, Value> > choices,
+                  const std::string& description, const std::string& group)
+  {
+    const std::vector<std::pair<std::string, Value> > known(choices.begin(), choices.end());
+    std::vector<std::string> names;
+    std::string names_text, name_of_default;
+    for(const auto& choice : known)
+    {
+      names.push_back(choice.first);
+      names_text += (names_text.empty() ? "" : "|") + choice.first;
+      if(choice.second == value)
+        name_of_default = choice.first;
+    }
+    const std::function<void(const std::string&)> set = [&value, known](const std::string& text)
+    {
+      for(const auto& choice : known)
+        if(choice.first == text)
+          value = choice.second;
+    };
+    const auto check = [names_text, names](const std::string& text)
+    {
+      for(const std::string& known_name : names)
+        if(known_name == text)
+          return std::string();
+      return "\"" + text + "\" is not one of " + names_text;
+    };
+    m_app.add_option_function<std::string>(name, set, description)
+      ->check(CLI::Validator(check, ""))->type_name(names_text)->default_str(name_of_default)->group(group);
+  }
+
+  static std::string to_text(double value)
+  {
+    char text[32];
+    std::snprintf(text, sizeof(text), "%g", value);
+    return text;
+  }
+
+  static std::string with_underscores(std::string name)
+  {
+    for(char& c : name)
+      c = (c == '-') ? '_' : c;
+    return name;
+  }
+
+  static bool is_part_of_word(char c)
+  {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+  }
+
+  static void replace_words(std::string& text, const std::string& word, const std::string& replacement)
+  {
+    for(std::size_t i = text.find(word); i != std::string::npos; i = text.find(word, i))
+    {
+      const std::size_t end = i + word.size();
+      const bool is_word = (i == 0 || !is_part_of_word(text[i - 1]))
+                           && (end == text.size() || !is_part_of_word(text[end]));
+      // the parentheses of a call mean nothing on a command line
+      const std::size_t length = word.size() + (text.compare(end, 2, "()") == 0 ? 2 : 0);
+      if(is_word)
+        text.replace(i, length, replacement);
+      i = is_word ? i + replacement.size() : end;
+    }
+  }
+
+  static constexpr double infinity = HUGE_VAL;
+
+  Options& m_options;
+  CLI::App m_app;
+};
+
+} // namespace tool
+
+#endif // EXTRACT_WIREFRAME_OPTIONS_H

@@ -1,0 +1,150 @@
+// The files that the tool extract_wireframe writes: looked at before the work, written after it.
+
+#ifndef EXTRACT_WIREFRAME_OUTPUTS_H
+#define EXTRACT_WIREFRAME_OUTPUTS_H
+
+#include "extract_wireframe_options.h"
+#include "extract_wireframe_stages.h"
+
+#include <CGAL/Wireframe_extraction/IO/internal/file_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/write_beside_and_rename.h>
+#include <CGAL/Wireframe_extraction/IO/write_wireframe.h>
+#include <CGAL/Wireframe_extraction/Wireframe.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <ostream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace tool {
+
+template <class GeomTraits>
+class Output_files
+{
+  typedef CGAL::Wireframe<GeomTraits> Wireframe;
+  typedef bool (*Writer)(std::ostream&, const Wireframe&, std::string&);
+
+public:
+  explicit Output_files(const std::vector<std::string>& names) : m_names(names) {}
+
+  // throws what would make writing fail, before any work is done
+  void check() const
+  {
+    for(const std::string& name : m_names)
+    {
+      if(name.empty())
+        throw Error(USAGE_ERROR, "the name of an output file is empty");
+      if(writers().count(CGAL::IO::internal::lower_extension(name)) == 0)
+        throw Error(USAGE_ERROR, name + ": unknown extension of a wireframe; known are .json, .obj, .ply, "
+                                        ".polylines.txt, .txt and .cgal");
+      check_writable(name);
+    }
+  }
+
+  // All files are written, or none of them is: each takes its place only when all that follow have theirs.
+  void write(const Wireframe& wireframe) const
+  {
+    std::string error;
+    if(!write_from(0, wireframe, error))
+      throw Error(INTERNAL_ERROR, error);
+  }
+
+private:
+  static const std::map<std::string, Writer>& writers()
+  {
+    namespace parameters = CGAL::Wireframe_extraction::parameters;
+    const Writer polylines = [](std::ostream& stream, const Wireframe& wireframe, std::string& error)
+    {
+      return CGAL::IO::write_wireframe_polylines(stream, wireframe, parameters::error_message(&error));
+    };
+    static const std::map<std::string, Writer> all = {
+      { ".json", [](std::ostream& stream, const Wireframe& wireframe, std::string& error)
+        { return CGAL::IO::write_wireframe_json(stream, wireframe, parameters::error_message(&error)); } },
+      { ".obj", [](std::ostream& stream, const Wireframe& wireframe, std::string& error)
+        { return CGAL::IO::write_wireframe_obj(stream, wireframe, parameters::error_message(&error)); } },
+      { ".ply", [](std::ostream& stream, const Wireframe& wireframe, std::string& error)
+        { return CGAL::IO::write_wireframe_ply(stream, wireframe, parameters::error_message(&error)); } },
+      { ".txt", polylines },
+      { ".cgal", polylines }
+    };
+    return all;
+  }
+
+  static void check_writable(const std::string& name)
+  {
+    namespace fs = std::filesystem;
+    std::error_code code;
+    const fs::file_status status = fs::status(name, code);
+    if(fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
+      return; // looking at a device or pipe would already do something to it
+    const fs::path folder = fs::absolute(name, code).parent_path();
+    if(!fs::is_directory(folder, code))
+      throw Error(USAGE_ERROR, name + ": cannot be written, there is no folder " + folder.string()
+                               + "; make it first");
+    // a writer that gives up leaves everything as it was
+    std::string error;
+    bool is_writable = false;
+    CGAL::IO::internal::write_beside_and_rename(name, [&is_writable](std::ostream&, std::string& reason)
+    {
+      is_writable = true;
+      reason = "only a trial";
+      return false;
+    }, error);
+    if(!is_writable)
+      throw Error(USAGE_ERROR, error);
+  }
+
+  bool write_from(std::size_t first, const Wireframe& wireframe, std::string& error) const
+  {
+    if(first == m_names.size())
+      return true;
+    const std::string& name = m_names[first];
+    const Writer write = writers().at(CGAL::IO::internal::lower_extension(name));
+    std::string own_error;
+    const bool is_written = CGAL::IO::internal::write_beside_and_rename(name,
+      [&](std::ostream& stream, std::string& reason)
+      {
+        if(write(stream, wireframe, reason))
+          return write_from(first + 1, wireframe, error);
+        if(!stream)
+          reason.clear(); // the system knows better why the stream takes nothing
+        return false;
+      }, own_error);
+    if(error.empty())
+      error = own_error;
+    return is_written;
+  }
+
+  std::vector<std::string> m_names;
+};
+
+// No file may be written over another one of this run, least of all over the cloud.
+inline void check_that_files_differ(const Options& options)
+{
+  namespace fs = std::filesystem;
+  std::map<fs::path, std::string> names;
+  const auto add = [&names](const std::string& name, bool is_written)
+  {
+    std::error_code code;
+    const fs::path path = fs::weakly_canonical(fs::absolute(name, code), code);
+    const bool is_device = fs::exists(path, code) && !fs::is_regular_file(path, code);
+    if(!names.emplace(path, name).second && is_written && !is_device)
+      throw Error(USAGE_ERROR, name + ": is to be written, but " + names[path]
+                               + " is the same file; give different names");
+  };
+  add(options.cloud, false);
+  if(options.has_distances)
+    add(options.distances, false);
+  for(const std::string& name : options.outputs)
+    add(name, true);
+  if(options.has_stages)
+    for(const std::string& name : Stage_folder::file_names())
+      add((fs::path(options.stages_folder) / name).string(), true);
+}
+
+} // namespace tool
+
+#endif // EXTRACT_WIREFRAME_OUTPUTS_H

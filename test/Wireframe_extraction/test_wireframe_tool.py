@@ -1,0 +1,559 @@
+#!/usr/bin/env python3
+"""Tests the command line tool extract_wireframe from the outside.
+
+usage: test_wireframe_tool.py EXTRACT_WIREFRAME MAKE_CLOUD [options of unittest]
+"""
+
+import json
+import math
+import os
+import pathlib
+import random
+import re
+import shutil
+import stat
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+TOOL = MAKE_CLOUD = None
+HERE = pathlib.Path(__file__).resolve().parent
+TIME_LIMIT = 280
+STAGES = ["1_skeleton.ply", "2_feet.ply", "3_corners.ply", "4_clusters.ply", "5_graph.ply", "6_curves.ply"]
+SUCCESS, INTERNAL_ERROR, USAGE_ERROR, BAD_INPUT, NO_FEATURE = range(5)
+
+
+def make_cloud(path, *arguments):
+    subprocess.run([MAKE_CLOUD, *arguments, "-o", str(path)], check=True, stdout=subprocess.DEVNULL,
+                   timeout=TIME_LIMIT)
+
+
+def read_ply(path):
+    """The elements of a binary PLY file without lists: name -> list of dictionaries."""
+    letters = {"double": "d", "float": "f", "uchar": "B", "int": "i"}
+    data = pathlib.Path(path).read_bytes()
+    end = data.index(b"end_header\n") + len(b"end_header\n")
+    elements = []
+    for line in data[:end].decode().split("\n"):
+        words = line.split()
+        if words[:1] == ["element"]:
+            elements.append((words[1], int(words[2]), []))
+        elif words[:1] == ["property"]:
+            elements[-1][2].append((words[2], letters[words[1]]))
+    result = {}
+    for name, count, properties in elements:
+        layout = struct.Struct("<" + "".join(letter for _, letter in properties))
+        names = [name_of_property for name_of_property, _ in properties]
+        result[name] = [dict(zip(names, layout.unpack_from(data, end + i * layout.size))) for i in range(count)]
+        end += count * layout.size
+    assert end == len(data), f"{path}: the header promises {end} bytes, there are {len(data)}"
+    return result
+
+
+def read_cloud(path):
+    """A list of (x, y, z, distance)."""
+    vertices = read_ply(path)["vertex"]
+    field = next(name for name in ("distance", "distances", "sharpness") if name in vertices[0])
+    return [(v["x"], v["y"], v["z"], v[field]) for v in vertices]
+
+
+def write_cloud(path, cloud):
+    pathlib.Path(path).write_text("".join(" ".join(repr(x) for x in row) + "\n" for row in cloud))
+
+
+def sampled(path):
+    """The points of a file of CGAL's polyline text, line by line."""
+    result = []
+    for line in pathlib.Path(path).read_text().splitlines():
+        numbers = [float(word) for word in line.split()[1:]]
+        assert len(numbers) == 3 * int(line.split()[0])
+        result.append([tuple(numbers[i:i + 3]) for i in range(0, len(numbers), 3)])
+    return result
+
+
+def farthest(points, others):
+    """The largest distance of one of the points to the nearest one of the others."""
+    return max(min(math.dist(p, q) for q in others) for p in points)
+
+
+class Tool_test(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.shared = pathlib.Path(tempfile.mkdtemp(prefix="wireframe_tool_"))
+        make_cloud(cls.shared / "box.ply", "box", "--points", "5000")
+        make_cloud(cls.shared / "cylinder.ply", "cylinder", "--points", "5000", "--field", "def")
+        cls.box = read_cloud(cls.shared / "box.ply")
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.shared)
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="case_", dir=self.shared))
+
+    def run_tool(self, *arguments):
+        return subprocess.run([TOOL, *map(str, arguments)], cwd=self.folder, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8", timeout=TIME_LIMIT)
+
+    def extract(self, *arguments):
+        """Runs the tool, which has to succeed; returns what it said."""
+        done = self.run_tool(*arguments)
+        self.assertEqual((done.returncode, done.stderr), (SUCCESS, ""), done.args)
+        return done.stdout
+
+    def files(self):
+        return sorted(str(path.relative_to(self.folder)) for path in self.folder.rglob("*"))
+
+    def refuse(self, exit_code, words, *arguments):
+        """Runs the tool, which has to fail in one line that has these words, and to leave every file as it is."""
+        before = {name: (self.folder / name).read_bytes() for name in self.files() if (self.folder / name).is_file()}
+        names = self.files()
+        done = self.run_tool(*arguments)
+        self.assertEqual(done.returncode, exit_code, (done.args, done.stderr))
+        self.assertRegex(done.stderr, r"\Aextract_wireframe: error: [^\n]+\n\Z")
+        for word in words:
+            self.assertIn(word.lower(), done.stderr.lower())
+        self.assertEqual(done.stdout, "")
+        self.assertEqual(self.files(), names)
+        for name, content in before.items():
+            self.assertEqual((self.folder / name).read_bytes(), content)
+        return done.stderr
+
+    def refuse_text(self, exit_code, words, text, name="cloud.xyz", *arguments):
+        """The same for a cloud of this text."""
+        path = self.folder / name
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return self.refuse(exit_code, [name] + words, name, "-o", "out.json", *arguments)
+
+    def read_json(self, name):
+        def refuse_constant(text):
+            raise AssertionError(f"{text} in {name}")
+        return json.loads((self.folder / name).read_text(), parse_constant=refuse_constant)
+
+    def check_wireframe(self, wireframe):
+        self.assertEqual((wireframe["format"], wireframe["version"]), ("wireframe", 1))
+        self.assertGreater(len(wireframe["curves"]), 0)
+        for curve in wireframe["curves"]:
+            self.assertEqual(len(curve["knots"]), len(curve["control_points"]) + curve["degree"] + 1)
+            for end, index in (("source", 0), ("target", -1)):
+                if curve[end] is not None:
+                    self.assertEqual(wireframe["vertices"][curve[end]], curve["control_points"][index])
+
+    # ---- what works ----
+
+    def test_box(self):
+        said = self.extract(self.shared / "box.ply", "-o", "out.json")
+        wireframe = self.read_json("out.json")
+        self.check_wireframe(wireframe)
+        self.assertEqual(len(wireframe["curves"]), 12)
+        self.assertEqual(len(wireframe["vertices"]), 8)
+        self.assertAlmostEqual(wireframe["sampling_distance"] / 0.03116, 1, delta=0.1)
+        for row in (r"Points +5000\n", r"r +0\.0\d+ \(estimated\)\n", r"Noise +\S+ = \S+ r\n",
+                    r"Skeleton +\d+ points\n", r"Corners +8\n", r"Curves +12 .*12 open.*0 closed",
+                    r"Residuals +rms \S+ = \S+ r, largest \S+ = \S+ r\n", r"Seconds +\d.*reading.*writing",
+                    r"Written +out\.json\n"):
+            self.assertRegex(said, row)
+        self.assertNotIn("Warning", said)
+        self.assertEqual(self.files(), ["out.json"])
+
+    def test_cylinder(self):
+        said = self.extract(self.shared / "cylinder.ply", "-o", "out.json")
+        self.assertRegex(said, r"Curves +2 .*0 open, 2 closed")
+        wireframe = self.read_json("out.json")
+        self.check_wireframe(wireframe)
+        self.assertEqual([curve["closed"] for curve in wireframe["curves"]], [True, True])
+
+    def test_formats(self):
+        names = ["a.json", "a.obj", "a.ply", "a.polylines.txt", "b.txt", "a.cgal", "A.OBJ"]
+        said = self.extract(self.shared / "box.ply", *sum((["-o", name] for name in names), []))
+        self.assertEqual(self.files(), sorted(names))
+        for name in names:
+            self.assertIn(name, said)
+        self.check_wireframe(self.read_json("a.json"))
+        obj = (self.folder / "a.obj").read_text()
+        self.assertRegex(obj, r"(?m)^v ")
+        self.assertRegex(obj, r"(?m)^l ")
+        self.assertEqual((self.folder / "A.OBJ").read_text(), obj)
+        ply = read_ply(self.folder / "a.ply")
+        self.assertGreater(len(ply["vertex"]), 8)
+        self.assertEqual(len({edge["curve"] for edge in ply["edge"]}), 12)
+        self.assertEqual(len(sampled(self.folder / "a.polylines.txt")), 12)
+        for name in ("b.txt", "a.cgal"):
+            self.assertEqual((self.folder / name).read_bytes(), (self.folder / "a.polylines.txt").read_bytes())
+
+    def test_outputs_are_replaced(self):
+        (self.folder / "out.json").write_text("old")
+        self.extract(self.shared / "box.ply", "--output", "out.json")
+        self.check_wireframe(self.read_json("out.json"))
+
+    def test_quiet(self):
+        self.assertEqual(self.extract(self.shared / "box.ply", "-o", "out.json", "--quiet"), "")
+        self.assertEqual(self.files(), ["out.json"])
+
+    def test_paper(self):
+        self.extract(self.shared / "box.ply", "-o", "default.json")
+        self.extract(self.shared / "box.ply", "-o", "paper.json", "--paper")
+        self.check_wireframe(self.read_json("paper.json"))
+        self.assertNotEqual(self.read_json("paper.json"), self.read_json("default.json"))
+        # what is given counts on top of it, in any order
+        self.extract(self.shared / "box.ply", "-o", "a.json", "--paper", "--connection-radius", "2")
+        self.extract("--connection-radius=2", self.shared / "box.ply", "-o", "b.json", "--paper")
+        self.assertEqual(self.read_json("a.json"), self.read_json("b.json"))
+        self.assertNotEqual(self.read_json("a.json"), self.read_json("paper.json"))
+
+    def test_defaults_given_explicitly(self):
+        """What the help calls the default is the default."""
+        given = []
+        text = " ".join(self.extract("--help").split())
+        for name, kind, value in re.findall(r"(--[a-z-]+) (\S+) (?:(?!--)[^[])*\[([^\]]+)\]", text):
+            given += [name, value]
+        self.assertGreater(len(given), 30)
+        self.extract(self.shared / "box.ply", "-o", "a.json", *given)
+        self.extract(self.shared / "box.ply", "-o", "b.json")
+        self.assertEqual(self.read_json("a.json"), self.read_json("b.json"))
+
+    def test_sampling_distance(self):
+        said = self.extract(self.shared / "box.ply", "-o", "out.json", "--sampling-distance", "0.035")
+        self.assertIn("0.035 (given)", said)
+        self.assertEqual(self.read_json("out.json")["sampling_distance"], 0.035)
+
+    def test_stages(self):
+        stages = self.folder / "made" / "stages"
+        said = self.extract(self.shared / "box.ply", "-o", "out.json", "--stages", "made/stages")
+        self.assertEqual(sorted(path.name for path in stages.iterdir()), STAGES)
+        bounds = [(min(values), max(values)) for values in zip(*self.box)][:3]
+        for name in STAGES:
+            self.assertIn(name, said)
+            ply = read_ply(stages / name)
+            self.assertGreater(len(ply["vertex"]), 0)
+            self.assertTrue({"red", "green", "blue"} <= set(ply["vertex"][0]))
+            for vertex in ply["vertex"]:
+                for axis, (least, most) in enumerate(bounds):
+                    self.assertTrue(least - 0.2 < vertex["xyz"[axis]] < most + 0.2, (name, vertex))
+            for edge in ply.get("edge", []):
+                self.assertLess(max(edge["vertex1"], edge["vertex2"]), len(ply["vertex"]))
+        skeleton = read_ply(stages / "1_skeleton.ply")["vertex"]
+        self.assertTrue(all(0 <= v["scalar_distance"] < 1.6 * 0.032 for v in skeleton))
+        self.assertTrue({(v["x"], v["y"], v["z"]) for v in skeleton[:1]} <= {row[:3] for row in self.box} or
+                        farthest([(v["x"], v["y"], v["z"]) for v in skeleton[:20]], [r[:3] for r in self.box]) < 1e-9)
+        self.assertEqual(len(read_ply(stages / "4_clusters.ply")["vertex"]), len(skeleton))
+        self.assertEqual({v["scalar_curve"] for v in read_ply(stages / "6_curves.ply")["vertex"]}, set(range(12)))
+        self.assertEqual(sum(v["scalar_corner"] for v in read_ply(stages / "5_graph.ply")["vertex"]), 8)
+
+    def test_stages_of_paper(self):
+        (self.folder / "stages").mkdir()
+        for name in STAGES:
+            (self.folder / "stages" / name).write_text("of an earlier run")
+        (self.folder / "stages" / "other.ply").write_text("not of the tool")
+        self.extract(self.shared / "box.ply", "-o", "out.json", "--stages", "stages", "--paper", "--quiet")
+        for name in STAGES:
+            if (self.folder / "stages" / name).exists():
+                read_ply(self.folder / "stages" / name)
+        self.assertTrue((self.folder / "stages" / "6_curves.ply").exists())
+        self.assertEqual((self.folder / "stages" / "other.ply").read_text(), "not of the tool")
+
+    def test_separate_distances(self):
+        write_cloud(self.folder / "points.xyz", [row[:3] for row in self.box])
+        write_cloud(self.folder / "d.txt", [row[3:] for row in self.box])
+        write_cloud(self.folder / "whole.xyz", self.box)
+        self.extract("points.xyz", "--distances", "d.txt", "-o", "a.json")
+        self.extract("whole.xyz", "-o", "b.json")
+        self.assertEqual(self.read_json("a.json"), self.read_json("b.json"))
+
+    def test_distance_property(self):
+        rows = "".join(",".join(repr(x) for x in row) + ",7\n" for row in self.box)
+        (self.folder / "cloud.csv").write_text("x,y,z,how_far,quality\n" + rows)
+        self.extract("cloud.csv", "-o", "a.json", "--distance-property", "how_far")
+        self.assertEqual(len(self.read_json("a.json")["curves"]), 12)
+
+    def test_same_result_twice_and_with_threads(self):
+        cloud = self.shared / "cylinder.ply"
+        self.extract(cloud, "-o", "a.json")
+        self.extract(cloud, "-o", "b.json")
+        self.extract(cloud, "-o", "one.json", "--threads", "1")
+        self.extract(cloud, "-o", "two.json", "--threads", "2")
+        content = (self.folder / "a.json").read_bytes()
+        for name in ("b.json", "one.json", "two.json"):
+            self.assertEqual((self.folder / name).read_bytes(), content, name)
+
+    def test_permutation(self):
+        permuted = self.box[:]
+        random.Random(7).shuffle(permuted)
+        self.assert_same_curves(permuted, 1e-3)
+
+    def test_duplicates(self):
+        said = self.assert_same_curves(self.box + self.box[:2500], 0.5)
+        self.assertRegex(said.lower(), "twice|duplicate|repeat")
+
+    def assert_same_curves(self, cloud, tolerance):
+        """The cloud gives the same curves as the box, up to a tolerance in sampling distances."""
+        write_cloud(self.folder / "first.xyz", self.box)
+        write_cloud(self.folder / "second.xyz", cloud)
+        self.extract("first.xyz", "-o", "first.json", "-o", "first.txt")
+        said = self.extract("second.xyz", "-o", "second.json", "-o", "second.txt")
+        r = self.read_json("first.json")["sampling_distance"]
+        self.assertAlmostEqual(self.read_json("second.json")["sampling_distance"] / r, 1, delta=max(tolerance, 1e-6))
+        first, second = (sampled(self.folder / name) for name in ("first.txt", "second.txt"))
+        self.assertEqual(len(first), len(second))
+        for line in first:
+            # samples of two runs may be shifted against each other along the curve by half a step
+            best = min(max(farthest(line[::8], other), farthest(other[::8], line)) for other in second)
+            self.assertLess(best, (tolerance + 0.13) * r)
+        first, second = (self.read_json(name)["vertices"] for name in ("first.json", "second.json"))
+        self.assertEqual(len(first), len(second))
+        self.assertLess(max(farthest(first, second), farthest(second, first)), tolerance * r)
+        return said
+
+    # ---- help ----
+
+    def test_help_and_version(self):
+        for name in ("-h", "--help"):
+            text = self.extract(name)
+            self.assertTrue(all(len(line) <= 100 for line in text.splitlines()))
+        self.assertRegex(self.extract("--version"), r"\Aextract_wireframe \d+\.\d+\.\d+\n\Z")
+        for word in ("CLOUD", "--output", "--distances", "--distance-property", "--skip-invalid", "--paper", "--stages",
+                     "--threads", "--quiet", "--version", "Exit codes"):
+            self.assertIn(word, text)
+
+    def test_every_parameter_is_an_option(self):
+        source = HERE / "../../Wireframe_extraction/include/CGAL/Wireframe_extraction/internal/parameters_interface.h"
+        if not source.exists():
+            self.skipTest("the sources of the library are elsewhere")
+        names = re.findall(r"^CGAL_add_named_parameter\(\w+, (\w+),", source.read_text(), re.MULTILINE)
+        self.assertGreater(len(names), 25)
+        # what only a program can give
+        for_programs = {"distance_map", "error_message", "number_of_skipped", "sampling_step", "extraction_report",
+                        "visitor"}
+        text = self.extract("--help")
+        for name in names:
+            if name not in for_programs:
+                self.assertRegex(text, rf"(?m)^  --{name.replace('_', '-')}\b")
+
+    @unittest.skipIf(sys.platform == "win32", "there is no pseudo terminal")
+    def test_progress(self):
+        import pty
+        for more, is_loud in (([], True), (["--quiet"], False)):
+            leader, follower = pty.openpty()
+            process = subprocess.Popen([TOOL, str(self.shared / "box.ply"), "-o", "out.json", *more],
+                                       cwd=self.folder, stdout=subprocess.PIPE, stderr=follower)
+            os.close(follower)
+            shown = b""
+            try:
+                while True:
+                    piece = os.read(leader, 4096)
+                    if not piece:
+                        break
+                    shown += piece
+            except OSError:  # how a pseudo terminal ends
+                pass
+            os.close(leader)
+            process.communicate(timeout=TIME_LIMIT)
+            self.assertEqual(process.returncode, SUCCESS)
+            if is_loud:
+                self.assertIn(b"%", shown)
+                self.assertIn(b"fitting curves", shown)
+                self.assertTrue(shown.endswith(b"\r\x1b[K"), shown[-80:])  # the line is wiped
+            else:
+                self.assertEqual(shown, b"")
+
+    # ---- wrong usage ----
+
+    def test_usage(self):
+        (self.folder / "c.xyz").write_text("1 2 3 4\n")
+        self.refuse(USAGE_ERROR, ["CLOUD", "--help"])
+        self.refuse(USAGE_ERROR, ["--output"], "c.xyz")
+        self.refuse(USAGE_ERROR, ["--output"], "c.xyz", "-o")
+        self.refuse(USAGE_ERROR, ["--nonsense"], "c.xyz", "-o", "out.json", "--nonsense")
+        self.refuse(USAGE_ERROR, ["b.xyz"], "c.xyz", "b.xyz", "-o", "out.json")
+        self.refuse(USAGE_ERROR, ["b.obj"], "c.xyz", "-o", "out.json", "b.obj")
+        self.refuse(USAGE_ERROR, ["--distances", "--distance-property"], "c.xyz", "-o", "out.json", "--distances", "d.txt",
+                    "--distance-property", "d")
+
+    def test_values_of_options(self):
+        (self.folder / "c.xyz").write_text("1 2 3 4\n")
+        for option, values in (("--sampling-distance", ["0", "-1", "nan", "inf", "1e999", "much", "1 2", ""]),
+                               ("--skeleton-distance", ["0", "-1.5"]), ("--corner-variance", ["-0.1", "1.1"]),
+                               ("--corner-sampling-ratio", ["0", "1.5"]), ("--connection-angle", ["-1", "91"]),
+                               ("--smooth-angle", ["181"]), ("--use-tangents", ["maybe", "2", ""]),
+                               ("--corner-measure", ["residual", "0", ""]), ("--graph-method", ["TRACED"]),
+                               ("--end-detection", ["axis"]), ("--number-of-rounds", ["0", "2.5", "-1", "1e3"]),
+                               ("--threads", ["0", "-1", "x", "1.5", "99999999999999999999", ""])):
+            for value in values:
+                self.refuse(USAGE_ERROR, [option], "c.xyz", "-o", "out.json", f"{option}={value}"
+                            if value else option, *([] if value else [""]))
+        self.refuse(USAGE_ERROR, ["--corner-radius"], "c.xyz", "-o", "out.json", "--corner-radius", "3",
+                    "--corner-radius", "4")
+
+    def test_same_file_twice(self):
+        shutil.copy(self.shared / "box.ply", self.folder / "box.ply")
+        write_cloud(self.folder / "d.txt", [row[3:] for row in self.box])
+        words = ["same file"]
+        self.refuse(USAGE_ERROR, words, "box.ply", "-o", "box.ply")
+        self.refuse(USAGE_ERROR, words, "box.ply", "-o", "./box.ply")
+        self.refuse(USAGE_ERROR, words, "box.ply", "-o", "out.json", "-o", "../" + self.folder.name + "/out.json")
+        self.refuse(USAGE_ERROR, words, "box.ply", "--distances", "d.txt", "-o", "d.txt")
+        self.refuse(USAGE_ERROR, words, "box.ply", "--stages", ".", "-o", "5_graph.ply")
+        if hasattr(os, "symlink"):
+            os.symlink("box.ply", self.folder / "link.ply")
+            self.refuse(USAGE_ERROR, words, "box.ply", "-o", "link.ply")
+
+    # ---- outputs ----
+
+    def test_bad_outputs(self):
+        shutil.copy(self.shared / "box.ply", self.folder / "box.ply")
+        (self.folder / "a_folder.json").mkdir()
+        (self.folder / "a_file").write_text("old")
+        for name in ("out", "out.dxf", "out.json.gz"):
+            self.refuse(USAGE_ERROR, [name, "extension", ".json", ".obj", ".ply", ".txt", ".cgal"], "box.ply", "-o", name)
+        self.refuse(USAGE_ERROR, ["empty"], "box.ply", "-o", "")
+        self.refuse(USAGE_ERROR, ["missing/out.json", "no folder"], "box.ply", "-o", "missing/out.json")
+        self.refuse(USAGE_ERROR, ["missing/out.json"], "box.ply", "-o", "fine.json", "-o", "missing/out.json")
+        self.refuse(USAGE_ERROR, ["a_folder.json", "directory"], "box.ply", "-o", "a_folder.json")
+        self.refuse(USAGE_ERROR, ["a_file/out.json"], "box.ply", "-o", "a_file/out.json")
+        self.refuse(USAGE_ERROR, ["a_file"], "box.ply", "-o", "out.json", "--stages", "a_file")
+        self.refuse(USAGE_ERROR, ["a_file/stages"], "box.ply", "-o", "out.json", "--stages", "a_file/stages")
+        self.refuse(USAGE_ERROR, ["stages", "empty"], "box.ply", "-o", "out.json", "--stages", "")
+
+    def test_protected_folder(self):
+        shutil.copy(self.shared / "box.ply", self.folder / "box.ply")
+        protected = self.folder / "protected"
+        protected.mkdir()
+        (protected / "old.json").write_text("old")
+        (protected / "old.json").chmod(stat.S_IREAD)
+        protected.chmod(stat.S_IREAD | stat.S_IEXEC)
+        try:
+            if os.access(protected, os.W_OK):
+                self.skipTest("protection does not count for the superuser")
+            self.refuse(USAGE_ERROR, ["protected/out.json"], "box.ply", "-o", "protected/out.json")
+            self.refuse(USAGE_ERROR, ["protected/old.json"], "box.ply", "-o", "protected/old.json")
+            self.refuse(USAGE_ERROR, ["protected"], "box.ply", "-o", "out.json", "--stages", "protected/stages")
+        finally:
+            protected.chmod(stat.S_IRWXU)
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "there is no full device")
+    def test_full_disk(self):
+        """A file that cannot be written takes the others with it."""
+        shutil.copy(self.shared / "box.ply", self.folder / "box.ply")
+        (self.folder / "old.obj").write_text("old")
+        os.symlink("/dev/full", self.folder / "full.json")
+        for names in (["new.json", "old.obj", "full.json"], ["full.json", "new.json", "old.obj"],
+                      ["old.obj", "full.json", "new.json"]):
+            outputs = sum((["-o", name] for name in names), [])
+            self.assert_full(outputs)
+
+    def assert_full(self, outputs):
+        names = self.files()
+        done = self.run_tool("box.ply", *outputs)
+        self.assertEqual(done.returncode, INTERNAL_ERROR, done.stderr)
+        self.assertRegex(done.stderr, r"\Aextract_wireframe: error: full\.json: [^\n]*full[^\n]*\n\Z")
+        self.assertEqual(done.stdout, "")
+        self.assertEqual(self.files(), names)
+        self.assertEqual((self.folder / "old.obj").read_text(), "old")
+
+    def test_old_output_stays(self):
+        (self.folder / "out.json").write_text("old")
+        self.refuse_text(BAD_INPUT, ["is empty"], "")
+        self.refuse_text(NO_FEATURE, [], "".join(f"{x / 10} {y / 10} {(x * y) % 3} 9e9\n"
+                                                 for x in range(30) for y in range(30)))
+
+    # ---- bad input ----
+
+    def test_files(self):
+        self.refuse(BAD_INPUT, ["none.ply", "No such file"], "none.ply", "-o", "out.json")
+        self.refuse(BAD_INPUT, ["none.stl", "extension"], "none.stl", "-o", "out.json")
+        (self.folder / "folder.ply").mkdir()
+        self.refuse(BAD_INPUT, ["folder.ply", "directory"], "folder.ply", "-o", "out.json")
+        self.refuse(BAD_INPUT, ["none.ply"], "none.ply", "-o", "out.json", "--stages", "a/b/c")
+        self.refuse(BAD_INPUT, ["two lines.ply"], "two\nlines.ply", "-o", "out.json")
+        for name in ("empty.ply", "empty.xyz", "empty.csv"):
+            self.refuse_text(BAD_INPUT, ["is empty"], "", name)
+        self.refuse_text(BAD_INPUT, ["no points"], "# nothing\n")
+
+    @staticmethod
+    def ply(count, names=("x", "y", "z", "distance"), body="", form="ascii"):
+        properties = "".join(f"property float {name}\n" for name in names)
+        return f"ply\nformat {form} 1.0\nelement vertex {count}\n{properties}end_header\n{body}"
+
+    def test_ply(self):
+        self.refuse_text(BAD_INPUT, ["no points"], self.ply(0), "c.ply")
+        self.refuse_text(BAD_INPUT, ["distance", "x, y, z, confidence, nx", "--distance-property"],
+                         self.ply(1, ("x", "y", "z", "confidence", "nx"), "1 2 3 4 5\n"), "c.ply")
+        self.refuse_text(BAD_INPUT, ["\"own\"", "x, y, z, distance"], self.ply(1, body="1 2 3 4\n"), "c.ply",
+                         "--distance-property", "own")
+        self.refuse_text(BAD_INPUT, ["truncated", "1 of 3"], self.ply(3, body="1 2 3 4\n"), "c.ply")
+        self.refuse_text(BAD_INPUT, ["truncated", "0 of 3"],
+                         self.ply(3, body="12345678", form="binary_little_endian"), "c.ply")
+        self.refuse_text(BAD_INPUT, ["\"seven\"", ":9:"], self.ply(1, body="1 2 seven 4\n"), "c.ply")
+        cut = (self.shared / "box.ply").read_bytes()[:-7]
+        self.refuse_text(BAD_INPUT, ["truncated", "4999 of 5000"], cut, "c.ply")
+
+    def test_lying_header(self):
+        begin = time.monotonic()
+        for form in ("ascii", "binary_little_endian", "binary_big_endian"):
+            self.refuse_text(BAD_INPUT, ["1000000000000", "truncated"],
+                             self.ply(10**12, body="1 2 3 4\n", form=form), "c.ply")
+        self.assertLess(time.monotonic() - begin, 30)
+
+    def test_invalid_numbers(self):
+        rows = ["%r %r %r %r\n" % row for row in self.box]
+        bad = rows[:]
+        bad[17] = "0 nan 0 1\n"
+        bad[42] = "0 0 inf 1\n"
+        bad[99] = "0 0 0 -0.5\n"
+        bad[100] = "0 0 0 nan\n"
+        self.refuse_text(BAD_INPUT, ["4 of 5000", "2 with a coordinate", "1 with a distance", "1 with a negative",
+                                     "point 17", "line 18", "--skip-invalid"], "".join(bad))
+        self.refuse_text(BAD_INPUT, ["1 of 5000", "point 4999", "negative", "-2", "--skip-invalid"],
+                         "".join(rows[:-1]) + "0 0 0 -2\n")
+        (self.folder / "cloud.xyz").write_text("".join(bad))
+        said = self.extract("cloud.xyz", "-o", "out.json", "--skip-invalid")
+        self.assertRegex(said, r"Points +4996, 4 more skipped")
+        self.assertEqual(len(self.read_json("out.json")["curves"]), 12)
+        self.refuse_text(BAD_INPUT, ["no point is left"], "nan 0 0 1\n0 0 0 -1\n", "all.xyz", "--skip-invalid")
+
+    def test_counts_differ(self):
+        (self.folder / "d.txt").write_text("1\n2\n")
+        self.refuse_text(BAD_INPUT, ["3 points", "d.txt", "2 distances"], "1 2 3\n4 5 6\n7 8 9\n", "c.xyz",
+                         "--distances", "d.txt")
+        self.refuse(BAD_INPUT, ["none.txt", "No such file"], "c.xyz", "-o", "out.json", "--distances", "none.txt")
+        self.refuse(BAD_INPUT, ["empty"], "c.xyz", "-o", "out.json", "--distances", "")
+        self.refuse_text(BAD_INPUT, [":2:", "3 columns"], "1 2 3 4\n1 2 3\n")
+
+    def test_degenerate_clouds(self):
+        count = 500
+        self.refuse_text(BAD_INPUT, ["1 point"], "1 2 3 0\n")
+        self.refuse_text(BAD_INPUT, ["equal"], "1 2 3 0.1\n" * count)
+        self.refuse_text(BAD_INPUT, ["line"], "".join(f"{i * 0.1} {i * 0.2} {i * 0.3} 0.1\n" for i in range(count)))
+        # without an edge in it, a plane has nothing to show
+        self.refuse_text(NO_FEATURE, ["plane"], "".join(f"{x * 0.1} {y * 0.1} 0 0.0\n"
+                                                        for x in range(25) for y in range(25)))
+        # with one it has
+        (self.folder / "plane.xyz").write_text("".join(f"{x * 0.1} {y * 0.1} 1 {abs(x - 20) * 0.1}\n"
+                                                       for x in range(41) for y in range(41)))
+        self.extract("plane.xyz", "-o", "out.json")
+        self.assertEqual(len(self.read_json("out.json")["curves"]), 1)
+
+    def test_nothing_under_the_threshold(self):
+        far = [row[:3] + (row[3] + 0.3,) for row in self.box]
+        write_cloud(self.folder / "c.xyz", far)
+        said = self.refuse(NO_FEATURE, ["c.xyz", "smallest", "--skeleton-distance"], "c.xyz", "-o", "out.json")
+        self.assertIn("0.3", said)   # the smallest distance
+        self.assertIn("0.04", said)  # the threshold, 1.5 r
+
+    def test_mix_up_of_units(self):
+        write_cloud(self.folder / "large.xyz", [row[:3] + (1000 * row[3] + 50,) for row in self.box])
+        self.refuse(NO_FEATURE, ["large.xyz", "unit"], "large.xyz", "-o", "out.json")
+        write_cloud(self.folder / "small.xyz", [row[:3] + (0.001 * row[3],) for row in self.box])
+        done = self.run_tool("small.xyz", "-o", "out.json")
+        self.assertIn(done.returncode, (SUCCESS, BAD_INPUT, NO_FEATURE))
+        self.assertIn("unit", done.stdout + done.stderr)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    TOOL, MAKE_CLOUD = (str(pathlib.Path(name).resolve()) for name in sys.argv[1:3])
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
