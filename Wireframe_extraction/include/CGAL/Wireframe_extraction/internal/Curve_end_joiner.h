@@ -80,32 +80,100 @@ class Curve_end_joiner
   Curve_network m_network;
 
 public:
-  Curve_end_joiner(const std::vector<Traced_curve>& curves, const Joining_options& options)
-    : m_options(options)
-  {
-    for (const Traced_curve& traced : curves) {
-      Network_curve curve;
-      curve.points = traced.points;
-      if (!traced.is_closed)
-        for (int e = 0; e < 2; ++e) {
-          curve.nodes[e] = m_network.nodes.size();
-          m_network.nodes.push_back(e == 0 ? traced.points.front() : traced.points.back());
-          curve.tips[e] = traced.tips[e];
-          curve.ends_in_void[e] = traced.ends_in_void[e];
-        }
-      m_network.curves.push_back(curve);
-    }
-  }
+  Curve_end_joiner(Curve_network network, const Joining_options& options)
+    : m_options(options), m_network(std::move(network))
+  {}
 
   const Curve_network& network() const { return m_network; }
 
   void join()
   {
-    merge_ends_that_meet();
+    merge_nodes_that_agree();
     attach_ends_to_passing_curves();
     dissolve_smooth_joints();
     bridge_gaps();
+    extend_free_ends();
     dissolve_smooth_joints();
+  }
+
+  // Removes joints of two curves where a rounded course explains the field better than a corner:
+  // loss(center, radius, polylines) tells how badly polylines explain it.
+  template <class Loss>
+  void round_off(const Loss& loss, double margin)
+  {
+    for (const std::vector<Curve_end>& ends : m_network.incidences()) {
+      if (ends.size() != 2 || ends[0].first == ends[1].first)
+        continue;
+      Network_curve &first = m_network.curves[ends[0].first], &second = m_network.curves[ends[1].first];
+      if (!first.is_alive || !second.is_alive || std::count(first.nodes.begin(), first.nodes.end(), no_node) > 0)
+        continue;
+      const Vector corner = ends[0].second == 0 ? first.points.front() : first.points.back();
+      double best = loss(corner, 4., {&first.points, &second.points}) - margin;
+      std::vector<Vector> rounded_first, rounded_second;
+      for (double reach : {0.7, 1.2, 1.8, 2.5, 3.5}) {
+        const std::vector<Vector> a = cut_back(first.points, ends[0].second, reach),
+                                  b = cut_back(second.points, ends[1].second, reach);
+        if (a.size() < 2 || b.size() < 2)
+          break;
+        // a parabola between the two places, whose tangents meet in the corner
+        std::vector<Vector> with_arc = a;
+        for (int k = 1; k <= 8; ++k) {
+          const double t = k / 8.;
+          with_arc.push_back((1. - t) * (1. - t) * a.back() + 2. * t * (1. - t) * corner + t * t * b.back());
+        }
+        const double rounded = loss(corner, 4., {&with_arc, &b});
+        if (rounded < best) {
+          best = rounded;
+          rounded_first = with_arc;
+          rounded_second = b;
+        }
+      }
+      if (rounded_first.empty())
+        continue;
+      rounded_first.push_back(corner);   // stands for the node until the two are one
+      rounded_second.push_back(corner);
+      if (ends[0].second == 0)
+        std::reverse(rounded_first.begin(), rounded_first.end());
+      if (ends[1].second == 0)
+        std::reverse(rounded_second.begin(), rounded_second.end());
+      first.points = rounded_first;
+      second.points = rounded_second;
+      concatenate(ends[0], ends[1]);
+    }
+  }
+
+  // Adds straight curves between near nodes where `gain(polyline)` is positive.
+  template <class Gain>
+  void add_edges_between_nodes(double longest, const Gain& gain)
+  {
+    const auto incidences = m_network.incidences();
+    std::vector<std::size_t> used;
+    std::vector<Vector> positions;
+    for (std::size_t node = 0; node < incidences.size(); ++node)
+      if (!incidences[node].empty()) {
+        used.push_back(node);
+        positions.push_back(m_network.nodes[node]);
+      }
+    const Ball_search search(positions);
+    std::vector<std::tuple<double, std::size_t, std::size_t> > candidates;
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+      search.query(positions[i], longest, found);
+      for (std::size_t j : found)
+        if (i < j && (positions[i] - positions[j]).norm() > 1.5) {
+          const double g = gain(straight(positions[i], positions[j]));
+          if (g > 0.)
+            candidates.emplace_back(-g, used[i], used[j]);
+        }
+    }
+    std::sort(candidates.begin(), candidates.end());
+    for (const auto& candidate : candidates) {
+      Network_curve curve;
+      curve.nodes = {std::get<1>(candidate), std::get<2>(candidate)};
+      curve.points = straight(m_network.nodes[curve.nodes[0]], m_network.nodes[curve.nodes[1]]);
+      set_tips(curve);
+      m_network.curves.push_back(curve);
+    }
   }
 
   template <class Prune>
@@ -152,37 +220,41 @@ private:
     return Position_belief::along_line(tip.at(ahead), tip.tangent_at(ahead), along, m_options.across());
   }
 
-  // agglomerative: the pair of clusters that agrees best goes first
-  void merge_ends_that_meet()
+  struct Cluster
   {
-    std::vector<Curve_end> ends;
-    std::vector<Vector> positions;
-    for (std::size_t c = 0; c < m_network.curves.size(); ++c)
-      if (m_network.curves[c].is_alive && !m_network.curves[c].is_closed_without_node())
-        for (int e = 0; e < 2; ++e) {
-          ends.emplace_back(c, e);
-          positions.push_back(m_network.curves[c].tips[e].point);
-        }
-    const Ball_search search(positions);
-    struct Cluster { Position_belief belief; std::vector<std::size_t> members; bool is_alive = true; };
-    std::vector<Cluster> clusters(ends.size());
-    for (std::size_t i = 0; i < ends.size(); ++i)
-      clusters[i] = {belief(ends[i]), {i}, true};
+    Position_belief belief;
+    std::vector<Curve_end> members;
+    std::size_t number_of_nodes;
+    bool is_alive;
+  };
 
+  // agglomerative: of all nodes, the two that agree best become one first
+  void merge_nodes_that_agree()
+  {
+    std::vector<Cluster> clusters;
+    std::vector<Vector> positions;
+    for (const std::vector<Curve_end>& ends : m_network.incidences()) {
+      if (ends.empty())
+        continue;
+      Cluster cluster{belief(ends[0]), ends, 1, true};
+      for (std::size_t k = 1; k < ends.size(); ++k)
+        cluster.belief = cluster.belief * belief(ends[k]);
+      positions.push_back(cluster.belief.mean());
+      clusters.push_back(cluster);
+    }
     typedef std::tuple<double, std::size_t, std::size_t> Candidate;
     std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate> > queue;
     const auto propose = [&](std::size_t a, std::size_t b) {
-      for (std::size_t i : clusters[a].members)
-        for (std::size_t j : clusters[b].members)
-          if (!may_meet(ends[i], ends[j]))
-            return;
+      if (!may_meet(clusters[a], clusters[b]))
+        return;
       const double cost = (clusters[a].belief * clusters[b].belief).disagreement()
         - clusters[a].belief.disagreement() - clusters[b].belief.disagreement();
       if (cost < m_options.maximum_disagreement)
-        queue.emplace(cost, (std::min)(a, b), (std::max)(a, b));
+        queue.emplace(cost, a, b);
     };
+    const Ball_search search(positions);
     std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < ends.size(); ++i) {
+    for (std::size_t i = 0; i < positions.size(); ++i) {
       search.query(positions[i], m_options.reach, found);
       for (std::size_t j : found)
         if (i < j)
@@ -193,29 +265,35 @@ private:
       queue.pop();
       if (!clusters[a].is_alive || !clusters[b].is_alive)
         continue;
-      Cluster merged{clusters[a].belief * clusters[b].belief, clusters[a].members, true};
+      Cluster merged = clusters[a];
+      merged.belief = merged.belief * clusters[b].belief;
       merged.members.insert(merged.members.end(), clusters[b].members.begin(), clusters[b].members.end());
+      merged.number_of_nodes += clusters[b].number_of_nodes;
       clusters[a].is_alive = clusters[b].is_alive = false;
-      clusters.push_back(merged);
       const Vector mean = merged.belief.mean();
+      clusters.push_back(merged);
       for (std::size_t k = 0; k + 1 < clusters.size(); ++k)
         if (clusters[k].is_alive && (clusters[k].belief.mean() - mean).norm() < m_options.reach)
           propose(k, clusters.size() - 1);
     }
     for (const Cluster& cluster : clusters) {
-      if (!cluster.is_alive || cluster.members.size() < 2)
+      if (!cluster.is_alive || cluster.number_of_nodes < 2)
         continue;
       const std::size_t node = m_network.nodes.size();
       m_network.nodes.push_back(cluster.belief.mean());
-      for (std::size_t i : cluster.members)
-        attach(ends[i], node);
+      for (const Curve_end& end : cluster.members)
+        attach(end, node);
     }
   }
 
   // the two ends of one short curve are no corner
-  bool may_meet(const Curve_end& a, const Curve_end& b) const
+  bool may_meet(const Cluster& a, const Cluster& b) const
   {
-    return a.first != b.first || polyline_length(m_network.curves[a.first].points) > 8.;
+    for (const Curve_end& i : a.members)
+      for (const Curve_end& j : b.members)
+        if (i.first == j.first && polyline_length(m_network.curves[i.first].points) < 8.)
+          return false;
+    return true;
   }
 
   // lets the curve end in the node: what went beyond it is cut off
@@ -352,6 +430,62 @@ private:
   }
 
   static void set_tips(Network_curve& curve) { set_tip(curve, 0); set_tip(curve, 1); }
+
+  static std::vector<Vector> straight(const Vector& a, const Vector& b)
+  {
+    const std::size_t count = (std::max)(std::size_t(4), static_cast<std::size_t>(2. * (b - a).norm()));
+    std::vector<Vector> points;
+    for (std::size_t k = 0; k <= count; ++k)
+      points.push_back(a + (b - a) * (double(k) / double(count)));
+    return points;
+  }
+
+  // the polyline without what lies within `reach` of its end, which comes last
+  static std::vector<Vector> cut_back(std::vector<Vector> points, int end, double reach)
+  {
+    if (end == 0)
+      std::reverse(points.begin(), points.end());
+    const Vector last = points.back();
+    while (!points.empty() && (points.back() - last).norm() < reach)
+      points.pop_back();
+    return points;
+  }
+
+  // free ends that lead to a node a little farther on
+  void extend_free_ends()
+  {
+    const auto incidences = m_network.incidences();
+    std::vector<std::size_t> targets;
+    std::vector<Vector> positions;
+    for (std::size_t node = 0; node < incidences.size(); ++node)
+      if (incidences[node].size() > 1) {
+        targets.push_back(node);
+        positions.push_back(m_network.nodes[node]);
+      }
+    const Ball_search search(positions);
+    std::vector<std::size_t> found;
+    for (const std::vector<Curve_end>& ends : incidences) {
+      if (ends.size() != 1)
+        continue;
+      const Local_curve& end = tip(ends[0]);
+      search.query(end.point, 1.6 * m_options.reach, found);
+      double nearest = (std::numeric_limits<double>::infinity)();
+      std::size_t target = no_node;
+      for (std::size_t k : found) {
+        const Vector offset = positions[k] - end.point;
+        const double ahead = offset.dot(end.tangent);
+        const double miss = (offset - ahead * end.tangent).norm();
+        const Network_curve& curve = m_network.curves[ends[0].first];
+        if (ahead > -1. && miss < 2. * m_options.across() + 0.1 * std::abs(ahead) && ahead < nearest
+            && curve.nodes[1 - ends[0].second] != targets[k]) {
+          nearest = ahead;
+          target = targets[k];
+        }
+      }
+      if (target != no_node)
+        attach(ends[0], target);
+    }
+  }
 
   // two curves that meet in a node where nothing else ends and that hardly turn there are one curve
   void dissolve_smooth_joints()

@@ -15,6 +15,8 @@
 #include <CGAL/Wireframe_extraction/internal/Curve_network.h>
 #include <CGAL/Wireframe_extraction/internal/Segment_grid.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <numeric>
 #include <vector>
@@ -29,6 +31,8 @@ class Curve_evidence
 {
   const Field_band& m_band;
   double m_tolerance;
+
+  static constexpr double farthest = 4.;
 
   double loss(double residual) const
   {
@@ -55,7 +59,7 @@ public:
     Scores result;
     result.gains.assign(polylines.size(), 0.);
     result.neighbors.resize(polylines.size());
-    const double far = 4.;
+    const double far = farthest;
     for (std::size_t i = 0; i < m_band.size(); ++i) {
       std::size_t first = Segment_grid::no_curve, second = Segment_grid::no_curve;
       double d1 = far, d2 = far;
@@ -76,6 +80,57 @@ public:
         result.neighbors[first].push_back(second);
     }
     return result;
+  }
+
+  // of every point of the band to the nearest polyline, at most 4
+  std::vector<double> distances(const std::vector<const std::vector<Vector>*>& polylines) const
+  {
+    Segment_grid grid;
+    for (std::size_t c = 0; c < polylines.size(); ++c)
+      if (polylines[c])
+        grid.add(c, *polylines[c]);
+    std::vector<double> result(m_band.size(), farthest);
+    for (std::size_t i = 0; i < m_band.size(); ++i)
+      grid.visit(m_band.points[i], farthest,
+                 [&](const Segment_grid::Hit& hit) { result[i] = (std::min)(result[i], hit.distance); });
+    return result;
+  }
+
+  // how much better the field would be explained with one more polyline; `others` are the distances without it
+  double gain_of(const std::vector<Vector>& polyline, const std::vector<double>& others) const
+  {
+    Segment_grid grid;
+    grid.add(0, polyline);
+    Eigen::AlignedBox3d box;
+    for (const Vector& p : polyline)
+      box.extend(p);
+    std::vector<std::size_t> ball;
+    m_band.search.query(box.center(), 0.5 * box.diagonal().norm() + farthest, ball);
+    double gain = 0.;
+    for (std::size_t i : ball) {
+      double distance = others[i];
+      grid.visit(m_band.points[i], farthest,
+                 [&](const Segment_grid::Hit& hit) { distance = (std::min)(distance, hit.distance); });
+      gain += loss(m_band.distances[i] - others[i]) - loss(m_band.distances[i] - distance);
+    }
+    return gain;
+  }
+
+  // the loss of the points around `center` if there were only these polylines
+  double loss_around(const Vector& center, double radius, const std::vector<const std::vector<Vector>*>& polylines) const
+  {
+    Segment_grid grid;
+    for (std::size_t c = 0; c < polylines.size(); ++c)
+      grid.add(c, *polylines[c]);
+    std::vector<std::size_t> ball;
+    m_band.search.query(center, radius, ball);
+    double sum = 0.;
+    for (std::size_t i : ball) {
+      const Segment_grid::Hit hit = grid.nearest(m_band.points[i], farthest,
+                                                 [](const Segment_grid::Hit&) { return true; });
+      sum += loss(m_band.distances[i] - (hit.is_valid() ? hit.distance : farthest));
+    }
+    return sum;
   }
 
   // Returns which of the curves to keep: without the others, worst first, the field is explained about as well.

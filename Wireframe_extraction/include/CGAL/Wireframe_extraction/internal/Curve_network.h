@@ -53,6 +53,25 @@ struct Curve_network
   std::vector<Vector> nodes;
   std::vector<Network_curve> curves;
 
+  Curve_network() {}
+
+  // open curves get nodes of their own
+  explicit Curve_network(const std::vector<Traced_curve>& traced_curves)
+  {
+    for (const Traced_curve& traced : traced_curves) {
+      Network_curve curve;
+      curve.points = traced.points;
+      if (!traced.is_closed)
+        for (int e = 0; e < 2; ++e) {
+          curve.nodes[e] = nodes.size();
+          nodes.push_back(e == 0 ? traced.points.front() : traced.points.back());
+          curve.tips[e] = traced.tips[e];
+          curve.ends_in_void[e] = traced.ends_in_void[e];
+        }
+      curves.push_back(curve);
+    }
+  }
+
   // all (curve, end) pairs of the living curves, by node
   std::vector<std::vector<std::pair<std::size_t, int> > > incidences() const
   {

@@ -16,6 +16,7 @@
 #include <CGAL/Wireframe_extraction/internal/Curve_end_joiner.h>
 #include <CGAL/Wireframe_extraction/internal/Curve_evidence.h>
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/Spline_network_fit.h>
 
 #include <algorithm>
 #include <functional>
@@ -50,20 +51,103 @@ public:
   Curve_network run(std::vector<std::size_t> seeds, const std::function<bool(double)>& proceed) const
   {
     const std::vector<Traced_curve> curves = trace(std::move(seeds), proceed);
-    Curve_end_joiner joiner(curves, m_joining);
+    Curve_network network(curves);
+    for (int pass = 0; pass < number_of_passes; ++pass) {
+      network = join(network, pass > 0);
+      // smooth curves know better where they lead than traces do
+      if (!smooth(network, proceed))
+        break;
+    }
+    return join(network, true);
+  }
+
+private:
+  static constexpr int number_of_passes = 2;
+
+  Curve_network join(const Curve_network& network, bool is_smooth) const
+  {
     const double least_gain = m_options.minimum_evidence;
     const Curve_evidence evidence(m_band, m_tracing.tolerance());
     const auto prune = [&](const std::vector<const std::vector<Vector>*>& polylines) {
       return evidence.prune(polylines, least_gain, 0.35 * least_gain);
     };
+    Curve_end_joiner joiner(network, m_joining);
     joiner.prune(prune);
     joiner.join();
     joiner.prune(prune);
+    if (is_smooth) {
+      joiner.round_off([&](const Vector& center, double radius, const std::vector<const std::vector<Vector>*>& lines) {
+        return evidence.loss_around(center, radius, lines);
+      }, 0.5 * least_gain);
+      const std::vector<double> distances = evidence.distances(polylines(joiner.network()));
+      joiner.add_edges_between_nodes(10., [&](const std::vector<Vector>& edge) {
+        return evidence.gain_of(edge, distances) - least_gain - 0.35 * least_gain * polyline_length(edge);
+      });
+    }
     joiner.drop_spurs(4. + 5. * m_contraction.noise, 2. + 4. * m_contraction.noise);
     return joiner.network();
   }
 
-private:
+  static std::vector<const std::vector<Vector>*> polylines(const Curve_network& network)
+  {
+    std::vector<const std::vector<Vector>*> result;
+    for (const Network_curve& curve : network.curves)
+      result.push_back(curve.is_alive ? &curve.points : nullptr);
+    return result;
+  }
+
+  // replaces the polylines by splines fitted to the field
+  bool smooth(Curve_network& network, const std::function<bool(double)>& proceed) const
+  {
+    std::vector<Fitted_curve> fitted;
+    std::vector<std::size_t> origin;
+    for (std::size_t c = 0; c < network.curves.size(); ++c)
+      if (network.curves[c].is_alive) {
+        Fitted_curve curve;
+        curve.path = network.curves[c].points;
+        for (int e = 0; e < 2; ++e)
+          curve.vertices[e] = network.curves[c].nodes[e] == no_node ? Fitted_curve::no_vertex
+                                                                    : network.curves[c].nodes[e];
+        fitted.push_back(curve);
+        origin.push_back(c);
+      }
+    if (fitted.empty())
+      return true;
+    Extraction_options options = m_options;
+    options.number_of_rounds = 2;
+    Spline_network_fit fit(m_band, m_contraction.noise, options, network.nodes, fitted);
+    const bool is_complete = fit.run([&](double) { return proceed(1.); });
+    network.nodes = fit.vertices();
+    for (std::size_t k = 0; k < origin.size(); ++k)
+      sample(fit.curves()[k].spline, network.curves[origin[k]]);
+    return is_complete;
+  }
+
+  static void sample(const Cubic_spline& spline, Network_curve& curve)
+  {
+    const double length = spline.back() - spline.front();
+    const std::size_t count = (std::max)(std::size_t(6), static_cast<std::size_t>(2. * length));
+    curve.points.clear();
+    for (std::size_t k = 0; k <= count; ++k)
+      curve.points.push_back(spline.at(spline.front() + length * double(k) / double(count)));
+    if (curve.is_closed_without_node()) {
+      curve.points.back() = curve.points.front();
+      return;
+    }
+    const double inward = (std::min)(1., 0.3 * length);
+    for (int e = 0; e < 2; ++e) {
+      const Cubic_spline::Basis basis = spline.basis(e == 0 ? spline.front() + inward : spline.back() - inward);
+      const Vector d1 = spline.combine(basis, 1), d2 = spline.combine(basis, 2);
+      Local_curve& tip = curve.tips[e];
+      tip.point = spline.combine(basis);
+      tip.tangent = (e == 0 ? -1. : 1.) * d1.normalized();
+      tip.bend = (d2 - d2.dot(tip.tangent) * tip.tangent) / (std::max)(0.25, d1.squaredNorm());
+      if (tip.bend.norm() > 0.4)
+        tip.bend *= 0.4 / tip.bend.norm();
+      tip.move_along_to(e == 0 ? curve.points.front() : curve.points.back());
+    }
+  }
+
   std::vector<Traced_curve> trace(std::vector<std::size_t> seeds, const std::function<bool(double)>& proceed) const
   {
     const std::vector<double>& residuals = m_contraction.residuals;
