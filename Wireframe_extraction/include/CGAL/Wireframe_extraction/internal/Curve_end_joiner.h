@@ -110,17 +110,13 @@ public:
       const Vector corner = ends[0].second == 0 ? first.points.front() : first.points.back();
       double best = loss(corner, 4., {&first.points, &second.points}) - margin;
       std::vector<Vector> rounded_first, rounded_second;
-      for (double reach : {0.7, 1.2, 1.8, 2.5, 3.5}) {
+      for (double reach : {0.7, 1.2, 1.8, 2.5, 3.5, 4.5}) {
         const std::vector<Vector> a = cut_back(first.points, ends[0].second, reach),
                                   b = cut_back(second.points, ends[1].second, reach);
         if (a.size() < 2 || b.size() < 2)
           break;
-        // a parabola between the two places, whose tangents meet in the corner
         std::vector<Vector> with_arc = a;
-        for (int k = 1; k <= 8; ++k) {
-          const double t = k / 8.;
-          with_arc.push_back((1. - t) * (1. - t) * a.back() + 2. * t * (1. - t) * corner + t * t * b.back());
-        }
+        append_arc(with_arc, end_direction(a), b.back(), -end_direction(b));
         const double rounded = loss(corner, 4., {&with_arc, &b});
         if (rounded < best) {
           best = rounded;
@@ -142,9 +138,10 @@ public:
     }
   }
 
-  // Adds straight curves between near nodes where `gain(polyline)` is positive.
-  template <class Gain>
-  void add_edges_between_nodes(double longest, const Gain& gain)
+  // Adds curves between near nodes where `gain(polyline)` is positive: straight ones, or between free ends such that
+  // lead on smoothly.
+  template <class Gain, class Accept>
+  void add_edges_between_nodes(double longest, const Gain& gain, const Accept& accept)
   {
     const auto incidences = m_network.incidences();
     std::vector<std::size_t> used;
@@ -155,24 +152,43 @@ public:
         positions.push_back(m_network.nodes[node]);
       }
     const Ball_search search(positions);
-    std::vector<std::tuple<double, std::size_t, std::size_t> > candidates;
+    std::vector<std::tuple<double, std::size_t, std::size_t, std::vector<Vector> > > candidates;
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < used.size(); ++i) {
       search.query(positions[i], longest, found);
-      for (std::size_t j : found)
-        if (i < j && (positions[i] - positions[j]).norm() > 1.5) {
-          const double g = gain(straight(positions[i], positions[j]));
-          if (g > 0.)
-            candidates.emplace_back(-g, used[i], used[j]);
+      for (std::size_t j : found) {
+        if (i >= j || (positions[i] - positions[j]).norm() < 1.)
+          continue;
+        const std::vector<Curve_end> &a = incidences[used[i]], &b = incidences[used[j]];
+        std::vector<Vector> polyline = straight(positions[i], positions[j]);
+        double best = gain(polyline);
+        if (a.size() == 1 && b.size() == 1) {
+          std::vector<Vector> arc{positions[i]};
+          append_arc(arc, tip(a[0]).tangent, positions[j], -tip(b[0]).tangent);
+          const double gain_of_arc = gain(arc);
+          if (gain_of_arc > best) {
+            best = gain_of_arc;
+            polyline = arc;
+          }
         }
+        if (best > 0.)
+          candidates.emplace_back(-best, used[i], used[j], polyline);
+      }
     }
-    std::sort(candidates.begin(), candidates.end());
+    std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
+      return std::tie(std::get<0>(a), std::get<1>(a), std::get<2>(a))
+        < std::tie(std::get<0>(b), std::get<1>(b), std::get<2>(b));
+    });
     for (const auto& candidate : candidates) {
+      // what was added before may have taken the evidence
+      if (!(gain(std::get<3>(candidate)) > 0.))
+        continue;
       Network_curve curve;
       curve.nodes = {std::get<1>(candidate), std::get<2>(candidate)};
-      curve.points = straight(m_network.nodes[curve.nodes[0]], m_network.nodes[curve.nodes[1]]);
+      curve.points = std::get<3>(candidate);
       set_tips(curve);
       m_network.curves.push_back(curve);
+      accept(curve.points);
     }
   }
 
@@ -449,6 +465,27 @@ private:
     while (!points.empty() && (points.back() - last).norm() < reach)
       points.pop_back();
     return points;
+  }
+
+  static Vector end_direction(const std::vector<Vector>& points)
+  {
+    const std::size_t n = points.size();
+    const Vector last = (points[n - 1] - points[n - 2]).normalized();
+    return n < 3 ? last : Vector((1.5 * last - 0.5 * (points[n - 2] - points[n - 3]).normalized()).normalized());
+  }
+
+  // leads smoothly from the end of a polyline to another place, about on a circle where that is possible
+  static void append_arc(std::vector<Vector>& points, const Vector& leave, const Vector& to, const Vector& arrive)
+  {
+    const Vector from = points.back();
+    const double turn = std::acos((std::min)(1., (std::max)(-1., leave.dot(arrive))));
+    const double chord = (to - from).norm();
+    const double handle = turn > 1e-3 ? (std::min)(1., 2. / 3. * std::tan(turn / 4.) / std::sin(turn / 2.)) : 1. / 3.;
+    const Vector first = from + handle * chord * leave, second = to - handle * chord * arrive;
+    for (int k = 1; k <= 10; ++k) {
+      const double t = k / 10., u = 1. - t;
+      points.push_back(u * u * u * from + 3. * u * u * t * first + 3. * u * t * t * second + t * t * t * to);
+    }
   }
 
   // free ends that lead to a node a little farther on

@@ -40,6 +40,25 @@ class Curve_evidence
     return (std::min)(1., ratio * ratio);
   }
 
+  // calls visitor(i, distance) for the points near a polyline
+  template <class Visitor>
+  void visit_around(const std::vector<Vector>& polyline, const Visitor& visitor) const
+  {
+    Segment_grid grid;
+    grid.add(0, polyline);
+    Eigen::AlignedBox3d box;
+    for (const Vector& p : polyline)
+      box.extend(p);
+    std::vector<std::size_t> ball;
+    m_band.search.query(box.center(), 0.5 * box.diagonal().norm() + farthest, ball);
+    for (std::size_t i : ball) {
+      const Segment_grid::Hit hit = grid.nearest(m_band.points[i], farthest,
+                                                 [](const Segment_grid::Hit&) { return true; });
+      if (hit.is_valid())
+        visitor(i, hit.distance);
+    }
+  }
+
 public:
   struct Scores
   {
@@ -96,23 +115,22 @@ public:
     return result;
   }
 
+  // lowers the distances to those with one more polyline
+  void add(const std::vector<Vector>& polyline, std::vector<double>& distances) const
+  {
+    visit_around(polyline, [&](std::size_t i, double distance) {
+      distances[i] = (std::min)(distances[i], distance);
+    });
+  }
+
   // how much better the field would be explained with one more polyline; `others` are the distances without it
   double gain_of(const std::vector<Vector>& polyline, const std::vector<double>& others) const
   {
-    Segment_grid grid;
-    grid.add(0, polyline);
-    Eigen::AlignedBox3d box;
-    for (const Vector& p : polyline)
-      box.extend(p);
-    std::vector<std::size_t> ball;
-    m_band.search.query(box.center(), 0.5 * box.diagonal().norm() + farthest, ball);
     double gain = 0.;
-    for (std::size_t i : ball) {
-      double distance = others[i];
-      grid.visit(m_band.points[i], farthest,
-                 [&](const Segment_grid::Hit& hit) { distance = (std::min)(distance, hit.distance); });
-      gain += loss(m_band.distances[i] - others[i]) - loss(m_band.distances[i] - distance);
-    }
+    visit_around(polyline, [&](std::size_t i, double distance) {
+      gain += loss(m_band.distances[i] - others[i])
+        - loss(m_band.distances[i] - (std::min)(others[i], distance));
+    });
     return gain;
   }
 

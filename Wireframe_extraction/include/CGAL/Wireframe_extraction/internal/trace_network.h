@@ -76,13 +76,14 @@ private:
     joiner.join();
     joiner.prune(prune);
     if (is_smooth) {
+      const Curve_evidence sharp_evidence(m_band, (std::max)(0.06, 2.5 * m_contraction.noise));
       joiner.round_off([&](const Vector& center, double radius, const std::vector<const std::vector<Vector>*>& lines) {
-        return evidence.loss_around(center, radius, lines);
+        return sharp_evidence.loss_around(center, radius, lines);
       }, 0.5 * least_gain);
-      const std::vector<double> distances = evidence.distances(polylines(joiner.network()));
+      std::vector<double> distances = evidence.distances(polylines(joiner.network()));
       joiner.add_edges_between_nodes(10., [&](const std::vector<Vector>& edge) {
         return evidence.gain_of(edge, distances) - least_gain - 0.35 * least_gain * polyline_length(edge);
-      });
+      }, [&](const std::vector<Vector>& edge) { evidence.add(edge, distances); });
     }
     joiner.drop_spurs(4. + 5. * m_contraction.noise, 2. + 4. * m_contraction.noise);
     return joiner.network();
