@@ -63,6 +63,7 @@ struct Joining_options
   double noise = 0.1;
   double reach = 5.;              // ends farther apart are not compared
   double maximum_disagreement = 12.;
+  double rounded_turn = 0.8;      // joints of two curves that turn by less are rather rounded than sharp
   double smooth_turn = 0.35;      // joints of two curves that turn by less are no corners
 
   double maximum_bridge = 18.;    // gap between ends that face each other
@@ -108,7 +109,8 @@ public:
       if (!first.is_alive || !second.is_alive || std::count(first.nodes.begin(), first.nodes.end(), no_node) > 0)
         continue;
       const Vector corner = ends[0].second == 0 ? first.points.front() : first.points.back();
-      double best = loss(corner, 4., {&first.points, &second.points}) - margin;
+      double best = loss(corner, 4., {&first.points, &second.points})
+        + (tip(ends[0]).tangent.dot(tip(ends[1]).tangent) < -std::cos(m_options.rounded_turn) ? margin : -margin);
       std::vector<Vector> rounded_first, rounded_second;
       for (double reach : {0.7, 1.2, 1.8, 2.5, 3.5, 4.5}) {
         const std::vector<Vector> a = cut_back(first.points, ends[0].second, reach),
@@ -504,23 +506,29 @@ private:
     for (const std::vector<Curve_end>& ends : incidences) {
       if (ends.size() != 1)
         continue;
-      const Local_curve& end = tip(ends[0]);
-      search.query(end.point, 1.6 * m_options.reach, found);
-      double nearest = (std::numeric_limits<double>::infinity)();
+      search.query(tip(ends[0]).point, 1.6 * m_options.reach, found);
+      double nearest = (std::numeric_limits<double>::infinity)(), depth_of_nearest = 0.;
       std::size_t target = no_node;
-      for (std::size_t k : found) {
-        const Vector offset = positions[k] - end.point;
-        const double ahead = offset.dot(end.tangent);
-        const double miss = (offset - ahead * end.tangent).norm();
-        const Network_curve& curve = m_network.curves[ends[0].first];
-        if (ahead > -1. && miss < 2. * m_options.across() + 0.1 * std::abs(ahead) && ahead < nearest
-            && curve.nodes[1 - ends[0].second] != targets[k]) {
-          nearest = ahead;
-          target = targets[k];
+      for (double depth : depths) {
+        if (target != no_node || !has_depth(ends[0], depth))
+          break;
+        const Local_curve end = inner_tip(ends[0], depth);
+        for (std::size_t k : found) {
+          const Vector offset = positions[k] - end.point;
+          const double ahead = offset.dot(end.tangent);
+          const double miss = (offset - ahead * end.tangent).norm();
+          if (ahead > -1. && miss < 2. * m_options.across() + 0.1 * std::abs(ahead) && ahead < nearest
+              && m_network.curves[ends[0].first].nodes[1 - ends[0].second] != targets[k]) {
+            nearest = ahead;
+            depth_of_nearest = depth;
+            target = targets[k];
+          }
         }
       }
-      if (target != no_node)
+      if (target != no_node) {
+        shorten(ends[0], depth_of_nearest);
         attach(ends[0], target);
+      }
     }
   }
 
@@ -585,37 +593,87 @@ private:
         positions.push_back(tip(free_ends.back()).point);
       }
     const Ball_search search(positions);
-    std::vector<std::tuple<double, std::size_t, std::size_t> > candidates;
+    struct Bridge { double cost; std::size_t from, to; double depths[2]; };
+    std::vector<Bridge> bridges;
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < free_ends.size(); ++i) {
       search.query(positions[i], m_options.maximum_bridge, found);
-      for (std::size_t j : found)
-        if (i < j) {
-          const double cost = bridging_cost(free_ends[i], free_ends[j]);
-          if (cost < 1.)
-            candidates.emplace_back(cost, i, j);
-        }
+      for (std::size_t j : found) {
+        if (i >= j)
+          continue;
+        // where the field is wrong, the last part of a curve may have gone astray: what lies deeper may lead on better
+        Bridge best{1., i, j, {0., 0.}};
+        for (double depth_i : depths)
+          for (double depth_j : depths) {
+            const double cost = bridging_cost(free_ends[i], depth_i, free_ends[j], depth_j)
+              + 0.05 * (depth_i + depth_j);
+            if (cost < best.cost)
+              best = {cost, i, j, {depth_i, depth_j}};
+          }
+        if (best.cost < 1.)
+          bridges.push_back(best);
+      }
     }
-    std::sort(candidates.begin(), candidates.end());
+    std::sort(bridges.begin(), bridges.end(), [](const Bridge& a, const Bridge& b) {
+      return std::tie(a.cost, a.from, a.to) < std::tie(b.cost, b.from, b.to);
+    });
     std::vector<char> is_taken(free_ends.size(), 0);
-    for (const auto& candidate : candidates) {
-      const std::size_t i = std::get<1>(candidate), j = std::get<2>(candidate);
-      if (is_taken[i] || is_taken[j])
+    for (const Bridge& bridge : bridges) {
+      if (is_taken[bridge.from] || is_taken[bridge.to])
         continue;
-      is_taken[i] = is_taken[j] = 1;
+      is_taken[bridge.from] = is_taken[bridge.to] = 1;
+      shorten(free_ends[bridge.from], bridge.depths[0]);
+      shorten(free_ends[bridge.to], bridge.depths[1]);
       const std::size_t node = m_network.nodes.size();
-      m_network.nodes.push_back(0.5 * (positions[i] + positions[j]));
-      for (std::size_t k : {i, j})
-        attach(free_ends[k], node);
+      m_network.nodes.push_back(0.5 * (tip(free_ends[bridge.from]).point + tip(free_ends[bridge.to]).point));
+      attach(free_ends[bridge.from], node);
+      attach(free_ends[bridge.to], node);
     }
+  }
+
+  static constexpr double depths[] = {0., 3., 6.};
+
+  // the outward course at some depth behind the end; the tip itself at depth 0
+  Local_curve inner_tip(const Curve_end& end, double depth) const
+  {
+    if (depth == 0.)
+      return tip(end);
+    const std::vector<Vector> rest = cut_back(m_network.curves[end.first].points, end.second, depth);
+    Local_curve result;
+    result.point = rest.back();
+    const std::vector<Vector> inner = cut_back(rest, 1, 2.);
+    result.tangent = inner.empty() ? end_direction(rest) : Vector((rest.back() - inner.back()).normalized());
+    return result;
+  }
+
+  // whether enough of the curve is left behind that depth
+  bool has_depth(const Curve_end& end, double depth) const
+  {
+    return depth == 0. || cut_back(m_network.curves[end.first].points, end.second, depth + 6.).size() >= 3;
+  }
+
+  void shorten(const Curve_end& end, double depth)
+  {
+    // an earlier bridge may have shortened the other end of the same curve
+    if (depth == 0. || !has_depth(end, depth))
+      return;
+    const Local_curve shorter_tip = inner_tip(end, depth);
+    Network_curve& curve = m_network.curves[end.first];
+    std::vector<Vector> rest = cut_back(curve.points, end.second, depth);
+    if (end.second == 0)
+      std::reverse(rest.begin(), rest.end());
+    curve.points = rest;
+    curve.tips[end.second] = shorter_tip;
   }
 
   const Local_curve& tip(const Curve_end& end) const { return m_network.curves[end.first].tips[end.second]; }
 
   // below 1 where a smooth curve can lead from one end to the other
-  double bridging_cost(const Curve_end& a, const Curve_end& b) const
+  double bridging_cost(const Curve_end& a, double depth_a, const Curve_end& b, double depth_b) const
   {
-    const Local_curve &ta = tip(a), &tb = tip(b);
+    if (!has_depth(a, depth_a) || !has_depth(b, depth_b))
+      return (std::numeric_limits<double>::infinity)();
+    const Local_curve ta = inner_tip(a, depth_a), tb = inner_tip(b, depth_b);
     const Vector offset = tb.point - ta.point;
     const double gap = offset.norm();
     const double infinity = (std::numeric_limits<double>::infinity)();
