@@ -73,32 +73,63 @@ bool collect_values(const PointRange& points, const Access& access, bool skip_in
   return report.message.empty();
 }
 
-// the dimension of the affine hull, up to rounding
+// The dimension of the affine hull, up to rounding, of a sample of the points without the outermost tenth: a single
+// outlier must not make the rest look like a point.
 inline int dimension(const std::vector<Vector>& positions)
 {
+  const std::vector<std::size_t> sample = spread_indices(positions.size());
+  Vector center;
+  double largest = 0.;
+  for (int k = 0; k < 3; ++k) {
+    std::vector<double> coordinates;
+    for (std::size_t i : sample) {
+      coordinates.push_back(positions[i][k]);
+      largest = (std::max)(largest, std::abs(positions[i][k]));
+    }
+    center[k] = median(coordinates);
+  }
+  std::vector<Vector> offsets;
+  double extent = 0.;
+  for (std::size_t i : sample)
+    offsets.push_back(positions[i] - center);
+  std::sort(offsets.begin(), offsets.end(), [](const Vector& a, const Vector& b) {
+    return a.stableNorm() < b.stableNorm();
+  });
+  offsets.resize((std::max)(std::size_t(1), offsets.size() - offsets.size() / 10));
+  extent = offsets.back().stableNorm();
+  if (!(extent > 1e-12 * largest))
+    return 0;
   Vector mean = Vector::Zero();
-  for (const Vector& p : positions)
-    mean += p / double(positions.size());
+  for (Vector& offset : offsets) {
+    offset /= extent;
+    mean += offset / double(offsets.size());
+  }
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for (const Vector& p : positions)
-    covariance += (p - mean) * (p - mean).transpose() / double(positions.size());
+  for (const Vector& offset : offsets)
+    covariance += (offset - mean) * (offset - mean).transpose() / double(offsets.size());
   const Vector variances = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues();
-  const double largest = (std::max)(variances[2], 1e-24 * mean.squaredNorm());
-  int result = 0;
-  for (int k = 0; k < 3; ++k)
-    result += variances[k] > 1e-14 * largest && variances[k] > 1e-24 * mean.squaredNorm();
-  return result;
+  return int(variances[0] > 1e-14) + int(variances[1] > 1e-14) + int(variances[2] > 1e-14);
 }
 
-inline bool check_scale(const Cloud_scale& scale, Wireframe_extraction_report& report)
+// whether points, distances and a sampling distance given by the caller (or 0) have the same unit
+inline bool check_scale(const Cloud_values& cloud, const Cloud_scale& scale, double given,
+                        Wireframe_extraction_report& report)
 {
   std::ostringstream message;
-  if (scale.slope > 8.)
+  const auto range = std::minmax_element(cloud.distances.begin(), cloud.distances.end());
+  if (*range.first == *range.second)
+    message << "all distances are " << *range.first << ": this is no distance field";
+  else if (scale.slope > 8.)
     message << "the distances do not fit the points: from point to point they change " << scale.slope
             << " times as much as the points are apart; are they in another unit?";
-  else if (scale.slope > 0. && scale.slope < 0.1)
+  else if (scale.slope < 0.1)
     message << "the distances do not fit the points: from point to point they change only " << scale.slope
             << " times as much as the points are apart; are they in another unit?";
+  else if (!(given >= 0.) || !std::isfinite(given))
+    message << "the sampling distance must be positive and finite, not " << given;
+  else if (given > 10. * scale.sampling_distance || (given > 0. && given < 0.1 * scale.sampling_distance))
+    message << "a sampling distance of " << given << " does not fit the points: their density says "
+            << scale.sampling_distance << "; is it in another unit?";
   report.message = message.str();
   return report.message.empty();
 }
@@ -270,19 +301,13 @@ extract_wireframe(const PointRange& points, const NamedParameters& np = CGAL::pa
   if (dimension == 2)
     report.warnings.push_back("all points lie in one plane");
 
-  double unit = CGAL::to_double(choose_parameter(get_parameter(np, np_tags::sampling_distance), 0.));
+  const double given = CGAL::to_double(choose_parameter(get_parameter(np, np_tags::sampling_distance), 0.));
   WE::internal::Cloud_scale scale;
-  if (!runner.run("sampling distance", 0.15, [&] { if (unit == 0.) scale = cloud.scale(); }))
+  if (!runner.run("sampling distance", 0.15, [&] { scale = cloud.scale(); }))
     return give_up(Report::Status::CANCELLED);
-  if (unit == 0.) {
-    unit = scale.sampling_distance;
-    if (!WE::internal::check_scale(scale, report))
-      return give_up(Report::Status::INVALID_INPUT);
-  }
-  if (!(unit > 0.) || !std::isfinite(unit)) {
-    report.message = "the sampling distance must be positive and finite";
+  if (!WE::internal::check_scale(cloud, scale, given, report))
     return give_up(Report::Status::INVALID_INPUT);
-  }
+  const double unit = given > 0. ? given : scale.sampling_distance;
   report.sampling_distance = unit;
   visitor.sampling_distance_estimated(unit);
 
@@ -295,7 +320,7 @@ extract_wireframe(const PointRange& points, const NamedParameters& np = CGAL::pa
   report.number_of_duplicates = skeleton.number_of_duplicates();
   if (report.number_of_duplicates > 0)
     report.warnings.push_back(std::to_string(report.number_of_duplicates)
-                              + " points near features repeat others exactly and were left out");
+                              + " points near features lie exactly where others do and were left out");
   if (skeleton.is_empty()) {
     report.message = WE::internal::no_feature_message(cloud, unit, options.skeleton_distance);
     return give_up(Report::Status::NO_FEATURE);

@@ -15,6 +15,7 @@
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace CGAL {
@@ -40,7 +41,7 @@ Balls of several radii around `fitting_radius` are tried, and the largest one th
     \cgalParamDefault{4}
   \cgalParamNEnd
   \cgalParamNBegin{noise_level}
-    \cgalParamDescription{the noise level of the field, in multiples of r}
+    \cgalParamDescription{the noise level of the field, in multiples of r, at most 1}
     \cgalParamType{`double`}
     \cgalParamDefault{the median of the residuals}
   \cgalParamNEnd
@@ -58,7 +59,7 @@ void contract_skeleton(Wireframe_skeleton<GeomTraits>& skeleton,
   auto contraction = std::make_shared<internal::Contraction>(
     internal::contract(skeleton.band(), options.fitting_radius));
   if (options.noise_level >= 0.)
-    contraction->noise = options.noise_level;
+    contraction->noise = (std::min)(1., options.noise_level);
   skeleton.set_contraction(contraction);
 }
 

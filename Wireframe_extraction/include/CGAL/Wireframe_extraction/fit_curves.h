@@ -96,7 +96,7 @@ Wireframe<GeomTraits> fit(const Wireframe_skeleton<GeomTraits>& skeleton,
   if (curves.empty())
     return wireframe;
 
-  const double noise = options.noise_level >= 0. ? options.noise_level
+  const double noise = options.noise_level >= 0. ? (std::min)(1., options.noise_level)
     : skeleton.is_contracted() ? skeleton.contraction().noise : 0.1;
   Spline_network_fit fit(skeleton.band(), noise, options, vertices, curves);
   fit.run(proceed);

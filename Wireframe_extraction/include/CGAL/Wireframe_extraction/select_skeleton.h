@@ -27,32 +27,29 @@ namespace Wireframe_extraction {
 
 namespace internal {
 
-// sorts the points by distance, and takes out those that repeat another one
+// Sorts the points by distance, and takes out those that lie where another one does: the one with the smallest distance
+// stays.
 inline std::size_t sort_band(Field_band& band)
 {
   std::vector<std::size_t> order(band.size());
   for (std::size_t i = 0; i < order.size(); ++i)
     order[i] = i;
-  const auto key = [&](std::size_t i) {
-    const Vector& p = band.points[i];
-    return std::make_tuple(band.distances[i], p.x(), p.y(), p.z());
-  };
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return std::make_pair(key(a), band.indices[a]) < std::make_pair(key(b), band.indices[b]);
+    const Vector &p = band.points[a], &q = band.points[b];
+    return std::make_tuple(band.distances[a], p.x(), p.y(), p.z(), band.indices[a])
+      < std::make_tuple(band.distances[b], q.x(), q.y(), q.z(), band.indices[b]);
   });
+  std::vector<Vector> positions;
+  for (std::size_t i : order)
+    positions.push_back(band.points[i]);
   Field_band sorted;
-  std::size_t duplicates = 0;
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    if (k > 0 && key(order[k]) == key(order[k - 1])) {
-      ++duplicates;
-      continue;
-    }
-    sorted.points.push_back(band.points[order[k]]);
+  for (std::size_t k : different_positions(positions)) {
+    sorted.points.push_back(positions[k]);
     sorted.distances.push_back(band.distances[order[k]]);
     sorted.indices.push_back(band.indices[order[k]]);
   }
   band = std::move(sorted);
-  return duplicates;
+  return order.size() - band.size();
 }
 
 // The positions and distances of a cloud, and which of its values they belong to.

@@ -24,9 +24,12 @@
 
 #include <boost/iterator/counting_iterator.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <memory>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -54,6 +57,24 @@ struct Position_map
   reference operator[](key_type i) const { return positions[i]; }
 };
 
+// The indices of the positions that differ from all earlier ones, ascending. A kd-tree cannot split equal positions.
+inline std::vector<std::size_t> different_positions(const std::vector<Vector>& positions)
+{
+  std::vector<std::size_t> order(positions.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    order[i] = i;
+  const auto key = [&](std::size_t i) {
+    return std::make_tuple(positions[i].x(), positions[i].y(), positions[i].z());
+  };
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::make_pair(key(a), a) < std::make_pair(key(b), b);
+  });
+  order.erase(std::unique(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) == key(b); }),
+              order.end());
+  std::sort(order.begin(), order.end());
+  return order;
+}
+
 // Ball queries over a vector of positions that stays where it is. Answers are indices.
 class Ball_search
 {
@@ -72,7 +93,7 @@ public:
 
   explicit Ball_search(const std::vector<Vector>& positions) { build(positions, positions.size()); }
 
-  // indexes the first `count` positions
+  // indexes the first `count` positions; few of them may be equal
   void build(const std::vector<Vector>& positions, std::size_t count)
   {
     m_map.positions = positions.data();

@@ -86,36 +86,34 @@ inline Cloud_scale cloud_scale(const std::vector<Vector>& positions, const std::
   if (positions.size() < 2)
     return scale;
   const Position_map map{positions.data()};
-  Tree tree(boost::counting_iterator<std::size_t>(0), boost::counting_iterator<std::size_t>(positions.size()),
-            typename Tree::Splitter(), Traits(map));
+  const std::vector<std::size_t> unique = different_positions(positions);
+  if (unique.size() < 2)
+    return scale;
+  Tree tree(unique.begin(), unique.end(), typename Tree::Splitter(), Traits(map));
   tree.build();
   const typename Search::Distance metric(map);
   std::vector<double> slopes;
   std::vector<double> areas, nearest;
+  const unsigned int wanted_or_all = static_cast<unsigned int>((std::min)(wanted + 1, unique.size()));
   for (std::size_t q : queries) {
-    for (std::size_t k = wanted + 1; ; k *= 4) {
-      const Search search(tree, positions[q], static_cast<unsigned int>((std::min)(k, positions.size())), 0., true, metric);
-      std::size_t different = 0;
-      double slope = 0.;
-      double first = 0., last = 0., squared = 0.;
-      for (auto it = search.begin(); it != search.end() && different < wanted; ++it)
-        if (it->second > last * (1. + 1e-9)) {
-          last = squared = it->second;
-          if (different++ == 0)
-            first = squared;
-          if (!distances.empty())
-            slope = (std::max)(slope, std::abs(distances[q] - distances[it->first]) / std::sqrt(squared));
-        }
-      if (different < wanted && k < positions.size())
-        continue;
-      // a random cloud holds k - 1/3 points in the median of these discs, a regular one about k + 1/2
-      if (different > 0) {
-        areas.push_back(CGAL_PI * squared / (double(different) + 0.1));
-        nearest.push_back(std::sqrt(first));
-        slopes.push_back(slope);
-      }
-      break;
+    const Search search(tree, positions[q], wanted_or_all, 0., true, metric);
+    std::size_t neighbors = 0;
+    double first = 0., last = 0., slope = 0.;
+    for (const auto& neighbor : search) {
+      if (!(neighbor.second > 0.))
+        continue;   // the query itself
+      last = neighbor.second;
+      if (neighbors++ == 0)
+        first = last;
+      if (!distances.empty())
+        slope = (std::max)(slope, std::abs(distances[q] - distances[neighbor.first]) / std::sqrt(last));
     }
+    if (neighbors == 0)
+      continue;
+    // a random cloud holds k - 1/3 points in the median of these discs, a regular one about k + 1/2
+    areas.push_back(CGAL_PI * last / (double(neighbors) + 0.1));
+    nearest.push_back(std::sqrt(first));
+    slopes.push_back(slope);
   }
   const double from_density = std::sqrt(0.82 * median(areas)), from_nearest = median(nearest);
   if (!(from_density > 0.))
