@@ -8,11 +8,15 @@ import argparse
 import json
 import sys
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-import numpy as np
-from scipy.interpolate import BSpline
+try:
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    import numpy as np
+    from scipy.interpolate import BSpline
+except ImportError as error:
+    sys.exit(f"plot_wireframe.py: {error}; it needs numpy, scipy and matplotlib "
+             "(Debian: python3-scipy python3-matplotlib)")
 
 PLY_TYPES = {"float": "f4", "float32": "f4", "double": "f8", "float64": "f8", "int": "i4", "int32": "i4",
              "uint": "u4", "uint32": "u4", "short": "i2", "ushort": "u2", "char": "i1", "uchar": "u1",

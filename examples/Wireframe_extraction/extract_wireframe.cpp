@@ -199,8 +199,8 @@ private:
     if(m_options.number_of_threads == 0)
       return;
 #ifdef CGAL_LINKED_WITH_TBB
-    m_thread_limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                           static_cast<std::size_t>(m_options.number_of_threads));
+    m_thread_limit = std::make_unique<tbb::global_control>(
+      tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(m_options.number_of_threads));
 #else
     if(m_options.number_of_threads > 1)
       m_notes.push_back("--threads has no effect: the tool was built without TBB and uses one thread");
@@ -226,7 +226,8 @@ private:
   // the name of the cloud, with which messages begin, stays as it is
   std::string with_option_names(const std::string& text) const
   {
-    const std::size_t size = text.compare(0, m_options.cloud.size(), m_options.cloud) == 0 ? m_options.cloud.size() : 0;
+    const std::size_t size =
+      text.compare(0, m_options.cloud.size(), m_options.cloud) == 0 ? m_options.cloud.size() : 0;
     return text.substr(0, size) + m_command_line.with_option_names(text.substr(size));
   }
 
@@ -273,13 +274,19 @@ private:
 
   void throw_if_failed(const Wireframe& wireframe) const
   {
-    const std::string message = m_options.cloud + ": " + m_command_line.with_option_names(m_report.message);
+    if(m_report.status == Report::Status::SUCCESS && !wireframe.is_empty())
+      return;
+    std::string text = m_report.message;
+    for(const std::string& warning : m_report.warnings)
+      text += "; " + warning;
+    text = m_options.cloud + ": " + m_command_line.with_option_names(text);
     if(m_report.status == Report::Status::INVALID_INPUT)
-      throw Error(BAD_INPUT, message);
-    if(m_report.status == Report::Status::NO_FEATURE)
-      throw Error(NO_FEATURE, message);
-    if(m_report.status != Report::Status::SUCCESS || wireframe.is_empty())
-      throw Error(INTERNAL_ERROR, message);
+      throw Error(BAD_INPUT, text);
+    if(m_report.status != Report::Status::NO_FEATURE)
+      throw Error(INTERNAL_ERROR, text);
+    throw Error(NO_FEATURE, text + (m_report.skeleton_size == 0
+                                      ? "; --skeleton-distance sets the threshold"
+                                      : "; --stages DIR shows what the stages found"));
   }
 
   void summarize(const Wireframe& wireframe, const Stage_writer& stages)
@@ -334,7 +341,8 @@ int main(int argc, char** argv)
     {
       if(error.get_exit_code() == 0)
         return command_line.show_help_or_version(error);
-      return tool::fail(tool::USAGE_ERROR, std::string(error.what()) + " (extract_wireframe --help tells more)");
+      return tool::fail(tool::USAGE_ERROR,
+                        std::string(error.what()) + " (extract_wireframe --help tells more)");
     }
     tool::Tool(command_line, options).run();
     return tool::SUCCESS;

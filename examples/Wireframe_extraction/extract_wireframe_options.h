@@ -144,27 +144,27 @@ private:
   {
     const std::string group = "Files";
     m_app.add_option("CLOUD", m_options.cloud,
-                     "The points and their distances: .ply (ascii or binary), or a text of four columns: .xyz "
-                     ".txt .csv .asc .pts")
+                     "The points and their distances: .ply (ascii or binary), or a text of four columns: "
+                     ".xyz .txt .csv .asc .pts")
       ->required()->type_name(" ");
     m_app.add_option("-o,--output", m_options.outputs,
-                     "Where the wireframe goes, as often as needed; the extension gives the format: .json (all of "
-                     "it), or .obj .ply .polylines.txt .txt .cgal (sampled curves)")
+                     "Where the wireframe goes, as often as needed; the extension gives the format: .json "
+                     "(all of it), or .obj .ply .polylines.txt .txt .cgal (sampled curves)")
       ->required()->take_all()->allow_extra_args(false)->type_name("OUT")->group(group);
     CLI::Option* const distances = m_app.add_option("--distances", m_options.distances,
                      "A text file with the distances, one per line, if they are not in CLOUD")
       ->type_name("FILE")->group(group);
     m_app.add_option("--distance-property", m_options.distance_property,
-                     "The property or column of CLOUD that holds the distances; otherwise the first that is there "
-                     "of distance, distances, sharpness, scalar_distance, quality")
+                     "The property or column of CLOUD that holds the distances; otherwise the first that is "
+                     "there of distance, distances, sharpness, scalar_distance, quality")
       ->type_name("NAME")->excludes(distances)->group(group);
     m_app.add_flag("--skip-invalid", m_options.skip_invalid,
                    "Leave out points with a number that is not finite, or a negative distance")
       ->group(group);
     m_app.add_option("--stages", m_options.stages_folder,
-                     "Write the result of each stage into this folder (made if missing), as coloured PLY files "
-                     "1_skeleton.ply to 6_curves.ply for MeshLab or CloudCompare; those of an earlier run are "
-                     "replaced. They stay if a later stage fails")
+                     "Write the result of each stage into this folder (made if missing), as coloured PLY "
+                     "files 1_skeleton.ply to 6_curves.ply for MeshLab or CloudCompare; those of an earlier "
+                     "run are replaced. They stay if a later stage fails")
       ->type_name("DIR")->group(group);
   }
 
@@ -172,14 +172,15 @@ private:
   {
     const std::string group = "Run";
     m_app.add_flag("--paper", m_options.is_paper,
-                   "Start from the behaviour published in arXiv 2107.06165 instead of the defaults shown here; "
-                   "other options count on top of it")
+                   "Start from the behaviour published in arXiv 2107.06165 instead of the defaults shown "
+                   "here; other options count on top of it")
       ->group(group);
     add_checked("--threads", m_options.number_of_threads, 1, 1024, "Use at most this many threads", group)
       ->type_name("N");
     m_app.add_flag("--quiet", m_options.is_quiet, "Print nothing but errors")->group(group);
     m_app.set_help_flag("-h,--help", "Print this help")->group(group);
-    m_app.set_version_flag("--version", "extract_wireframe " WIREFRAME_EXTRACTION_VERSION_STRING, "Print the version")
+    m_app.set_version_flag("--version", "extract_wireframe " WIREFRAME_EXTRACTION_VERSION_STRING,
+                           "Print the version")
       ->group(group);
   }
 
@@ -207,7 +208,8 @@ private:
     add_choice("--corner-measure", extraction.corner_measure,
                {{"field-residual", wireframe::Corner_measure::FIELD_RESIDUAL},
                 {"variance", wireframe::Corner_measure::VARIANCE}},
-               "What tells a corner: the residual of a fit to the field, or the variance of the points", group);
+               "What tells a corner: the residual of a fit to the field, or the variance of the points",
+               group);
     add_number("--corner-sampling-ratio", extraction.corner_sampling_ratio, 0., 1., false,
                "Share of the skeleton at which corners are looked for", group);
     add_number("--corner-radius", extraction.corner_radius, 0., infinity, false,
@@ -215,8 +217,8 @@ private:
     add_number("--corner-variance", extraction.corner_variance, 0., 1., true,
                "Explained variance ratio above which a ball holds a corner, for variance", group);
     add_number("--corner-residual", extraction.corner_residual, 0., infinity, false,
-               "Residual above which a ball holds a corner, for field-residual, in r; follows from the noise if "
-               "not given", group, false);
+               "Residual above which a ball holds a corner, for field-residual, in r; follows from the noise "
+               "if not given", group, false);
   }
 
   void add_curves()
@@ -236,7 +238,8 @@ private:
     const std::string group = "Topological graph";
     Extraction_options& extraction = m_options.extraction;
     add_choice("--graph-method", extraction.graph_method,
-               {{"traced", wireframe::Graph_method::TRACED}, {"subdivided", wireframe::Graph_method::SUBDIVIDED}},
+               {{"traced", wireframe::Graph_method::TRACED},
+                {"subdivided", wireframe::Graph_method::SUBDIVIDED}},
                "Trace curves through the field, or subdivide a polyline per cluster", group);
     add_choice("--end-detection", extraction.end_detection,
                {{"graph-distance", wireframe::End_detection::GRAPH_DISTANCE},
@@ -258,17 +261,19 @@ private:
   {
     const std::string group = "Fit";
     Extraction_options& extraction = m_options.extraction;
-    add_boolean("--use-robust-loss", extraction.use_robust_loss, "Whether outliers of the field count less", group);
-    add_boolean("--move-corners", extraction.move_corners, "Whether corners move to where curves meet", group);
-    add_boolean("--adapt-knots", extraction.adapt_knots, "Whether knots are added where residuals ask for them",
-                group);
+    add_boolean("--use-robust-loss", extraction.use_robust_loss,
+                "Whether outliers of the field count less", group);
+    add_boolean("--move-corners", extraction.move_corners,
+                "Whether corners move to where curves meet", group);
+    add_boolean("--adapt-knots", extraction.adapt_knots,
+                "Whether knots are added where residuals ask for them", group);
     add_checked("--number-of-rounds", extraction.number_of_rounds, 1, 1000,
                 "Rounds of the fit, each with new foot points", group)
       ->capture_default_str();
   }
 
-  CLI::Option* add_number(const std::string& name, double& value, double least, double most, bool is_least_allowed,
-                          const std::string& description, const std::string& group, bool has_default = true)
+  void add_number(const std::string& name, double& value, double least, double most, bool is_least_allowed,
+                  const std::string& description, const std::string& group, bool has_default = true)
   {
     // CLI11's own checks let through what is not a number, and infinities
     const auto check = [=](const std::string& text)
@@ -278,17 +283,16 @@ private:
       if(is_number && (x > least || (is_least_allowed && x == least)) && x <= most)
         return std::string();
       return "\"" + text + "\" is not a number " + (is_least_allowed ? "from " : "above ") + to_text(least)
-             + (is_least_allowed || most != infinity ? (most == infinity ? " on" : " to " + to_text(most)) : "");
+             + (most != infinity ? " to " + to_text(most) : is_least_allowed ? " on" : "");
     };
     CLI::Option* const option = m_app.add_option(name, value, description)
       ->check(CLI::Validator(check, ""))->type_name("NUMBER")->group(group);
     if(has_default)
       option->default_str(to_text(value));
-    return option;
   }
 
-  CLI::Option* add_checked(const std::string& name, int& value, int least, int most, const std::string& description,
-                           const std::string& group)
+  CLI::Option* add_checked(const std::string& name, int& value, int least, int most,
+                           const std::string& description, const std::string& group)
   {
     const auto check = [=](const std::string& text)
     {
@@ -296,13 +300,15 @@ private:
       const bool is_digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
       if(is_digits && text.size() < 9 && CLI::detail::lexical_cast(text, x) && x >= least && x <= most)
         return std::string();
-      return "\"" + text + "\" is not a whole number from " + std::to_string(least) + " to " + std::to_string(most);
+      return "\"" + text + "\" is not a whole number from " + std::to_string(least) + " to "
+             + std::to_string(most);
     };
     return m_app.add_option(name, value, description)
       ->check(CLI::Validator(check, ""))->type_name("NUMBER")->group(group);
   }
 
-  void add_boolean(const std::string& name, bool& value, const std::string& description, const std::string& group)
+  void add_boolean(const std::string& name, bool& value, const std::string& description,
+                   const std::string& group)
   {
     add_choice(name, value, {{"true", true}, {"false", false}}, description, group);
   }

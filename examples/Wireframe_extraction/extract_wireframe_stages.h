@@ -37,7 +37,7 @@ const Colour corner_colour = { 230, 30, 30 };
 // from blue over green and yellow to red, for 0 to 1
 inline Colour colour_of_value(double value)
 {
-  static const Colour stops[] = { { 40, 60, 200 }, { 30, 170, 200 }, { 60, 190, 80 }, { 240, 210, 40 }, { 220, 40, 30 } };
+  static const Colour stops[] = {{40, 60, 200}, {30, 170, 200}, {60, 190, 80}, {240, 210, 40}, {220, 40, 30}};
   const double position = 4. * (std::min)((std::max)(value, 0.), 1.);
   const int first = (std::min)(static_cast<int>(position), 3);
   const double t = position - first;
@@ -227,8 +227,8 @@ public:
     for(std::size_t i = 0; i < skeleton.size(); ++i)
     {
       const double residual = CGAL::to_double(skeleton.residual(i));
-      ply.add_point(skeleton.foot(i), colour_of_value(residual / CGAL::to_double(skeleton.sampling_distance())),
-                    residual);
+      ply.add_point(skeleton.foot(i),
+                    colour_of_value(residual / CGAL::to_double(skeleton.sampling_distance())), residual);
     }
     write(ply, 1);
   }
@@ -331,8 +331,9 @@ private:
   template <class Corner>
   static void add_ball(const Corner& corner, double value, Coloured_ply& ply)
   {
-    const std::array<double, 3> center = { CGAL::to_double(corner.center.x()), CGAL::to_double(corner.center.y()),
-                                           CGAL::to_double(corner.center.z()) };
+    const std::array<double, 3> center = {CGAL::to_double(corner.center.x()),
+                                          CGAL::to_double(corner.center.y()),
+                                          CGAL::to_double(corner.center.z())};
     const double radius = CGAL::to_double(corner.radius);
     const std::size_t count = 24;
     ply.add_point(center, corner_colour, value);

@@ -72,7 +72,7 @@ int main(int argc, char** argv)
   std::cout << num_vertices(graph) << " vertices and " << num_edges(graph) << " edges in " << pieces
             << " pieces, with " << num_edges(graph) + pieces - num_vertices(graph) << " cycles" << std::endl;
 
-  // The vertex that is farthest from a corner, among those that can be reached.
+  // For each corner, how far it is along the curves to the vertex farthest from it.
   for (const Vertex start : CGAL::make_range(vertices(graph)))
   {
     if (!graph[start].is_corner)

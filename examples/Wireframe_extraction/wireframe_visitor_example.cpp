@@ -53,8 +53,8 @@ Report::Status extract(const Cloud& cloud, double stop_at)
     CGAL::extract_wireframe(cloud, parameters::visitor(std::ref(visitor))
                                      .extraction_report(std::ref(report))
                                      .callback(go_on));
-  std::cout << "  " << wireframe.curves.size() << " curves; the graph was " << (visitor.has_graph ? "" : "not ")
-            << "reached. " << report.message << std::endl;
+  std::cout << "  " << wireframe.curves.size() << " curves; the graph was "
+            << (visitor.has_graph ? "reached" : "not reached: ") << report.message << std::endl;
   return report.status;
 }
 

@@ -13,8 +13,8 @@ A visitor is taken by value. To ask it for something afterwards, pass it with `s
 `Geom_traits` stands for the geometric traits class of the extraction, a model of
 `WireframeExtractionTraits_3`. The functions may be templates.
 
-It is usual to derive from `CGAL::Wireframe_extraction::Default_visitor`, all of whose functions do nothing, and
-to write only the functions of interest.
+It is usual to derive from `CGAL::Wireframe_extraction::Default_visitor`, all of whose functions do nothing,
+and to write only the functions of interest.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Wireframe_extraction::Default_visitor}

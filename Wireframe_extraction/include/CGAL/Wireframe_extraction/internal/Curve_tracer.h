@@ -120,22 +120,26 @@ class Curve_tracer
   const Field_band& m_band;
   Tracing_options m_options;
   Local_curve_fit m_fit;
+  const Field_explanation* m_explanation;   // by other curves
   std::vector<std::size_t> m_ball;
   Segment_grid m_traced;
   std::size_t m_number_of_traced = 0;
 
+  static constexpr std::size_t trail = 10;   // points of the path that are no news to the front
+
   enum Evidence { SUPPORT, NOTHING, CONTRADICTION };
 
 public:
-  Curve_tracer(const Field_band& band, const Tracing_options& options)
-    : m_band(band), m_options(options), m_fit(band)
+  Curve_tracer(const Field_band& band, const Tracing_options& options, const Field_explanation* explanation = nullptr)
+    : m_band(band), m_options(options), m_fit(band), m_explanation(explanation)
   {}
 
   Traced_curve trace(const Local_curve& seed)
   {
     Traced_curve curve;
     std::vector<Vector> forward;
-    curve.is_closed = follow(seed, seed, forward, curve.residuals, curve.tips[1], curve.ends_in_void[1]);
+    Segment_grid own;    // what was traced already, but for the surroundings of the front
+    curve.is_closed = follow(seed, own, forward, curve.residuals, curve.tips[1], curve.ends_in_void[1]);
     if (curve.is_closed) {
       curve.points.push_back(seed.point);
       curve.points.insert(curve.points.end(), forward.begin(), forward.end());
@@ -145,7 +149,9 @@ public:
     Local_curve reversed = seed;
     reversed.tangent = -seed.tangent;
     std::vector<Vector> backward;
-    follow(reversed, reversed, backward, curve.residuals, curve.tips[0], curve.ends_in_void[0]);
+    for (std::size_t k = trail; k < forward.size(); ++k)
+      own.add(0, {forward[k - 1], forward[k]});
+    follow(reversed, own, backward, curve.residuals, curve.tips[0], curve.ends_in_void[0]);
     curve.points.assign(backward.rbegin(), backward.rend());
     curve.points.push_back(seed.point);
     curve.points.insert(curve.points.end(), forward.begin(), forward.end());
@@ -172,6 +178,10 @@ public:
         continue;
       const double weight = 1. / (0.5 + distance);
       const double e = m_band.distances[i] - distance;
+      // a point that lies nearer to another curve says nothing about this one
+      if (e < 0. && m_explanation
+          && std::abs(m_band.distances[i] - m_explanation->distance(i)) < m_options.tolerance())
+        continue;
       if (std::abs(e) < m_options.tolerance())
         agreeing += weight;
       else
@@ -185,13 +195,13 @@ public:
 
 private:
   // returns whether the curve came back to where it began; otherwise the tip is set
-  bool follow(const Local_curve& start, Local_curve front, std::vector<Vector>& path,
+  bool follow(const Local_curve& start, Segment_grid& own, std::vector<Vector>& path,
               std::vector<double>& residuals, Local_curve& tip, bool& ends_in_void)
   {
+    Local_curve front = start;
     tip = front;
     ends_in_void = false;
     std::size_t supported = 0, covered = 0;
-    Segment_grid own;
     double length = 0., gap = 0., doubt = 0.;
     Local_fit_options options;
     options.radius = m_options.radius;
@@ -225,8 +235,8 @@ private:
       }
       path.push_back(front.point);
       residuals.push_back(residual);
-      if (path.size() > 10)
-        own.add(0, {path[path.size() - 11], path[path.size() - 10]});
+      if (path.size() > trail)
+        own.add(0, {path[path.size() - trail - 1], path[path.size() - trail]});
       if (found == SUPPORT) {
         tip = front;
         supported = path.size();

@@ -73,11 +73,20 @@ public:
   // the main axis of the points near `center` weighted by their closeness to the feature
   Local_curve principal_axis(const Vector& center, double radius)
   {
+    return principal_axis(center, radius, [](std::size_t) { return true; });
+  }
+
+  // the same for those of the points that `accept` takes
+  template <class Accept>
+  Local_curve principal_axis(const Vector& center, double radius, const Accept& accept)
+  {
     m_band.search.query(center, radius, m_ball);
     double total = 0.;
     Vector mean = Vector::Zero();
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
     for (std::size_t i : m_ball) {
+      if (!accept(i))
+        continue;
       const Vector offset = m_band.points[i] - center;
       const double weight = std::exp(-m_band.distances[i] * m_band.distances[i])
         * kernel(offset.squaredNorm() / (radius * radius));

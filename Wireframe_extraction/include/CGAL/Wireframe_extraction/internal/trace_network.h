@@ -157,8 +157,8 @@ private:
     });
     const double noise = m_contraction.noise;
     std::vector<Traced_curve> curves;
-    Curve_tracer tracer(m_band, m_tracing);
     Field_explanation explanation(m_band);
+    Curve_tracer tracer(m_band, m_tracing, &explanation);
     std::size_t done = 0;
     for (std::size_t i : seeds) {
       if (++done % 256 == 0 && !proceed(double(done) / double(seeds.size())))
@@ -177,7 +177,40 @@ private:
       tracer.keep(curve);
       curves.push_back(curve);
     }
+    trace_unexplained(tracer, explanation, curves);
     return curves;
+  }
+
+  // Curves so close to others that no fit there was good: now that the others are known, what they explain is set aside.
+  void trace_unexplained(Curve_tracer& tracer, Field_explanation& explanation, std::vector<Traced_curve>& curves) const
+  {
+    const double tolerance = m_tracing.tolerance();
+    Local_curve_fit fit(m_band);
+    Local_fit_options fit_options;
+    fit_options.radius = 0.6 * m_options.fitting_radius;
+    fit_options.scale = m_tracing.fit_scale();
+    for (std::size_t i = 0; i < m_band.skeleton_size; ++i) {
+      if (explanation.is_explained(i, tolerance))
+        continue;
+      std::size_t unexplained = 0;
+      Local_curve seed = fit.principal_axis(m_band.points[i], 3., [&](std::size_t j) {
+        const bool is_left = !explanation.is_explained(j, tolerance);
+        unexplained += is_left && j < m_band.skeleton_size;
+        return is_left;
+      });
+      if (unexplained < 5)
+        continue;
+      fit.refine_from(seed, m_band.points[i], fit_options);
+      seed.move_along_to(m_band.points[i]);
+      if (std::abs(m_band.distances[i] - seed.distance(m_band.points[i])) > tolerance || tracer.is_traced(seed))
+        continue;
+      const Traced_curve curve = tracer.trace(seed);
+      if (curve.length() < 3. + 5. * m_contraction.noise)
+        continue;
+      explanation.add(curve.points);
+      tracer.keep(curve);
+      curves.push_back(curve);
+    }
   }
 };
 
