@@ -641,14 +641,15 @@ private:
     const std::vector<Vector> rest = cut_back(m_network.curves[end.first].points, end.second, depth);
     Local_curve result;
     result.point = rest.back();
-    // directions of the last piece and the one before it, extrapolated to the end
+    // directions of the last piece and the one before it, extrapolated to the end as far as noise allows
+    const double extrapolation = 0.5 * (std::max)(0., 1. - 10. * m_options.noise);
     const std::vector<Vector> inner = cut_back(rest, 1, 1.5);
     const std::vector<Vector> innermost = inner.empty() ? inner : cut_back(inner, 1, 1.5);
     if (innermost.empty())
       result.tangent = end_direction(rest);
     else
-      result.tangent = (1.5 * (rest.back() - inner.back()).normalized()
-                        - 0.5 * (inner.back() - innermost.back()).normalized()).normalized();
+      result.tangent = ((1. + extrapolation) * (rest.back() - inner.back()).normalized()
+                        - extrapolation * (inner.back() - innermost.back()).normalized()).normalized();
     return result;
   }
 

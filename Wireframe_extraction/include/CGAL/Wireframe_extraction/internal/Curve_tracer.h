@@ -94,6 +94,7 @@ public:
   }
 
   double distance(std::size_t i) const { return m_distances[i]; }
+  const std::vector<double>& distances() const { return m_distances; }
 
   bool is_explained(std::size_t i, double tolerance) const
   {

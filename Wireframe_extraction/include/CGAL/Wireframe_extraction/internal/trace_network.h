@@ -185,6 +185,7 @@ private:
   void trace_unexplained(Curve_tracer& tracer, Field_explanation& explanation, std::vector<Traced_curve>& curves) const
   {
     const double tolerance = m_tracing.tolerance();
+    const Curve_evidence evidence(m_band, tolerance);
     Local_curve_fit fit(m_band);
     Local_fit_options fit_options;
     fit_options.radius = 0.6 * m_options.fitting_radius;
@@ -205,7 +206,10 @@ private:
       if (std::abs(m_band.distances[i] - seed.distance(m_band.points[i])) > tolerance || tracer.is_traced(seed))
         continue;
       const Traced_curve curve = tracer.trace(seed);
-      if (curve.length() < 3. + 5. * m_contraction.noise)
+      // these seeds are worse than the others, so their curves must prove more
+      const double length = curve.length();
+      if (length < 3. + 5. * m_contraction.noise
+          || evidence.gain_of(curve.points, explanation.distances()) < (2. + 0.7 * length) * m_options.minimum_evidence)
         continue;
       explanation.add(curve.points);
       tracer.keep(curve);
