@@ -2,7 +2,7 @@
 # Shared by examples/run and test/run, which source it: what they need is installed, and the build is configured.
 # Expects the variable `root`, the folder of the project.
 
-packages=(g++ make cmake libcgal-dev libeigen3-dev libceres-dev nlohmann-json3-dev libcli11-dev)
+packages=(g++ make cmake python3 libcgal-dev libeigen3-dev libceres-dev libtbb-dev nlohmann-json3-dev libcli11-dev)
 packages_are_checked=yes
 
 fail()

@@ -470,7 +470,7 @@ class Tool_test(unittest.TestCase):
     def test_old_output_stays(self):
         (self.folder / "out.json").write_text("old")
         self.refuse_text(BAD_INPUT, ["is empty"], "")
-        self.refuse_text(NO_FEATURE, [], "".join(f"{x / 10} {y / 10} {(x * y) % 3} 9e9\n"
+        self.refuse_text(NO_FEATURE, [], "".join(f"{x / 10} {y / 10} {(x * y) % 3} {100 + x / 10}\n"
                                                  for x in range(30) for y in range(30)))
 
     # ---- bad input ----

@@ -73,11 +73,10 @@ bool collect_values(const PointRange& points, const Access& access, bool skip_in
   return report.message.empty();
 }
 
-// The dimension of the affine hull, up to rounding, of a sample of the points without the outermost tenth: a single
-// outlier must not make the rest look like a point.
-inline int dimension(const std::vector<Vector>& positions)
+// The dimension of the affine hull, up to rounding, of some points without the outermost tenth: a single outlier must
+// not make the rest look like a point.
+inline int dimension(const std::vector<Vector>& positions, const std::vector<std::size_t>& sample)
 {
-  const std::vector<std::size_t> sample = spread_indices(positions.size());
   Vector center;
   double largest = 0.;
   for (int k = 0; k < 3; ++k) {
@@ -109,6 +108,19 @@ inline int dimension(const std::vector<Vector>& positions)
     covariance += (offset - mean) * (offset - mean).transpose() / double(offsets.size());
   const Vector variances = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues();
   return int(variances[0] > 1e-14) + int(variances[1] > 1e-14) + int(variances[2] > 1e-14);
+}
+
+inline int dimension(const std::vector<Vector>& positions)
+{
+  const int result = dimension(positions, spread_indices(positions.size()));
+  if (result > 1)
+    return result;
+  // scanners write many points at one place: those count once
+  const std::vector<std::size_t> different = different_positions(positions);
+  std::vector<std::size_t> sample = spread_indices(different.size());
+  for (std::size_t& i : sample)
+    i = different[i];
+  return dimension(positions, sample);
 }
 
 // whether points, distances and a sampling distance given by the caller (or 0) have the same unit

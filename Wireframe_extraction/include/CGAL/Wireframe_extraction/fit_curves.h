@@ -40,6 +40,26 @@ struct Path_collector
   void end_polyline() {}
 };
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"   // a false one, about edges of Boost that CGAL collects
+#endif
+
+// the paths between vertices that are corners, or have a degree other than 2
+template <class Graph>
+std::vector<std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> > split_into_paths(const Graph& graph)
+{
+  typedef typename boost::graph_traits<Graph>::vertex_descriptor Vertex;
+  std::vector<std::vector<Vertex> > paths;
+  Path_collector<Graph> collector{paths};
+  CGAL::split_graph_into_polylines(graph, collector, [](Vertex v, const Graph& g) { return g[v].is_corner; });
+  return paths;
+}
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
+
 template <class GeomTraits>
 Spline_curve_3<GeomTraits> to_spline(const Fitted_curve& curve, const Wireframe_skeleton<GeomTraits>& skeleton)
 {
@@ -67,9 +87,7 @@ Wireframe<GeomTraits> fit(const Wireframe_skeleton<GeomTraits>& skeleton,
   wireframe.sampling_distance = skeleton.sampling_distance();
   if (skeleton.support_size() == 0)
     return wireframe;
-  std::vector<std::vector<Vertex> > paths;
-  Path_collector<Graph> collector{paths};
-  CGAL::split_graph_into_polylines(graph, collector, [](Vertex v, const Graph& g) { return g[v].is_corner; });
+  const std::vector<std::vector<Vertex> > paths = split_into_paths(graph);
 
   std::vector<Vector> vertices;
   std::vector<std::size_t> vertex_of_node(boost::num_vertices(graph), Fitted_curve::no_vertex);

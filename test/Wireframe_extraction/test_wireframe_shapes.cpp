@@ -1,0 +1,190 @@
+// Whole shapes, of which the ground truth is known: as many curves and corners as there are, each where it is.
+
+#include <CGAL/extract_wireframe.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <Sample_solids/Sample_solids.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef std::vector<std::pair<Kernel::Point_3, double> > Cloud;
+typedef CGAL::Wireframe<Kernel> Wireframe;
+typedef CGAL::Wireframe_extraction_report Report;
+
+using Sample_solids::Field_kind;
+using Sample_solids::Ground_truth;
+using Sample_solids::Point;
+using Sample_solids::Sampling;
+
+namespace WP = CGAL::Wireframe_extraction::parameters;
+
+const double r = 0.02;
+
+struct Sampled_shape
+{
+  Sample_solids::Solid solid;
+  Ground_truth truth;
+  Cloud cloud;
+};
+
+Sampled_shape sampled(const std::string& name, Sampling sampling, Field_kind field)
+{
+  Sampled_shape shape;
+  shape.solid = Sample_solids::make_solid(name);
+  shape.truth = Sample_solids::ground_truth(shape.solid, r);
+  Sample_solids::Sampling_options options;
+  options.sampling_distance = r;
+  options.sampling = sampling;
+  options.field = field;
+  const Sample_solids::Cloud samples = Sample_solids::sample(shape.solid, options);
+  for (std::size_t i = 0; i < samples.points.size(); ++i)
+    shape.cloud.emplace_back(Kernel::Point_3(samples.points[i][0], samples.points[i][1], samples.points[i][2]),
+                             samples.distances[i]);
+  return shape;
+}
+
+Wireframe extracted(const Sampled_shape& shape)
+{
+  Report report;
+  const Wireframe wireframe = CGAL::extract_wireframe(shape.cloud, WP::extraction_report(std::ref(report)));
+  assert(report.status == Report::Status::SUCCESS && report.message.empty());
+  assert(report.number_of_points == shape.cloud.size());
+  assert(report.number_of_curves == wireframe.curves.size());
+  assert(report.number_of_corners == wireframe.vertices.size());
+  assert(report.sampling_distance == wireframe.sampling_distance);
+  assert(std::abs(report.sampling_distance / r - 1.) < 0.06);
+  assert(report.skeleton_size > 100 && report.number_of_clusters > 0);
+  assert(report.root_mean_square > 0. && report.root_mean_square <= report.maximum_deviation);
+  assert(!report.seconds.empty());
+  return wireframe;
+}
+
+std::vector<Point> samples_of(const Wireframe::Curve& curve, double step)
+{
+  std::vector<Kernel::Point_3> points;
+  curve.spline.sample_by_distance(step, std::back_inserter(points));
+  std::vector<Point> result;
+  for (const Kernel::Point_3& p : points)
+    result.push_back({{p.x(), p.y(), p.z()}});
+  return result;
+}
+
+// The mean and the largest distance of positions, in sampling distances.
+struct Deviation { double mean, largest; };
+
+template <class Distance>
+Deviation deviation(const std::vector<Point>& positions, const Distance& distance_of)
+{
+  Deviation result = {0., 0.};
+  for (const Point& p : positions) {
+    const double d = distance_of(p) / r;
+    result.mean += d / double(positions.size());
+    result.largest = (std::max)(result.largest, d);
+  }
+  return result;
+}
+
+Deviation deviation_from_truth(const Sampled_shape& shape, const Wireframe& wireframe)
+{
+  const Sample_solids::Curve_distance distance(shape.solid.curves, shape.solid.sharp_curves());
+  std::vector<Point> positions;
+  for (const Wireframe::Curve& curve : wireframe.curves)
+    for (const Point& p : samples_of(curve, 0.5 * r))
+      positions.push_back(p);
+  return deviation(positions, [&](const Point& p) { return distance(p, 1e300); });
+}
+
+double distance_to_points(const Point& p, const std::vector<Point>& points)
+{
+  double best = 1e300;
+  for (const Point& q : points)
+    best = (std::min)(best, Sample_solids::squared_distance(p, q));
+  return std::sqrt(best);
+}
+
+// how far the truth is from the wireframe
+Deviation deviation_from_wireframe(const Sampled_shape& shape, const Wireframe& wireframe)
+{
+  Sample_solids::Point_grid grid(4. * r, 10000);
+  for (const Wireframe::Curve& curve : wireframe.curves)
+    for (const Point& p : samples_of(curve, 0.1 * r))
+      grid.add(p);
+  std::vector<Point> positions;
+  for (const Sample_solids::True_curve& curve : shape.truth.curves)
+    positions.insert(positions.end(), curve.points.begin(), curve.points.end());
+  return deviation(positions, [&](const Point& p) {
+    double squared = 400. * r * r;
+    grid.visit_ball(p, 20. * r, [&](std::size_t, double d) { squared = (std::min)(squared, d); return true; });
+    return std::sqrt(squared);
+  });
+}
+
+// whether an extracted curve is a true one, from end to end
+bool are_equal(const Wireframe::Curve& curve, const Sample_solids::True_curve& truth)
+{
+  if (curve.is_closed() != truth.is_closed
+      || std::abs(curve.spline.length() - truth.length) > 0.02 * truth.length + 2. * r)
+    return false;
+  const Point& middle = truth.points[truth.points.size() / 2];
+  if (curve.spline.closest_point(Kernel::Point_3(middle[0], middle[1], middle[2])).distance > r)
+    return false;
+  const std::vector<Point> samples = samples_of(curve, 0.25 * r);
+  return deviation(samples, [&](const Point& p) { return distance_to_points(p, truth.points); }).largest < 1.
+    && deviation(truth.points, [&](const Point& p) { return distance_to_points(p, samples); }).largest < 1.;
+}
+
+void check_exactly(const std::string& name, Sampling sampling)
+{
+  const Sampled_shape shape = sampled(name, sampling, Field_kind::EXACT);
+  const Wireframe wireframe = extracted(shape);
+  assert(wireframe.curves.size() == shape.truth.curves.size());
+  assert(wireframe.vertices.size() == shape.truth.corners.size());
+  for (const Sample_solids::True_curve& truth : shape.truth.curves)
+    assert(std::count_if(wireframe.curves.begin(), wireframe.curves.end(), [&](const Wireframe::Curve& curve) {
+      return are_equal(curve, truth);
+    }) == 1);
+  for (const Point& corner : shape.truth.corners)
+    assert(std::count_if(wireframe.vertices.begin(), wireframe.vertices.end(), [&](const Kernel::Point_3& p) {
+      return Sample_solids::distance(corner, Point{{p.x(), p.y(), p.z()}}) < 0.7 * r;
+    }) == 1);
+  assert(deviation_from_truth(shape, wireframe).mean < 0.1);
+  assert(deviation_from_wireframe(shape, wireframe).mean < 0.3);
+  for (const Wireframe::Curve& curve : wireframe.curves) {
+    assert(curve.support > 0 && curve.root_mean_square < 0.3 * r);
+    assert(!curve.spline.is_rational() && curve.spline.degree() == 3);
+  }
+}
+
+// with errors like those of a regressor, pieces may be missing or too much, but what is there is nearly right
+void check_with_errors(const std::string& name, Sampling sampling)
+{
+  const Sampled_shape shape = sampled(name, sampling, Field_kind::DEF);
+  const Wireframe wireframe = extracted(shape);
+  assert(!wireframe.is_empty());
+  assert(deviation_from_truth(shape, wireframe).mean < 0.6);
+  assert(deviation_from_wireframe(shape, wireframe).mean < 0.6);
+}
+
+} // namespace
+
+int main()
+{
+  for (const char* name : {"box", "cylinder", "frustum", "box_with_hole", "l_bracket", "nut", "wedge_30", "wedge_60",
+                           "dimple", "crossing_cylinders", "u_channel", "slotted_plate", "torus"})
+    for (Sampling sampling : {Sampling::POISSON, Sampling::UNIFORM})
+      check_exactly(name, sampling);
+  for (const char* name : {"box", "frustum", "wedge_30", "wedge_60", "u_channel"})
+    for (Sampling sampling : {Sampling::POISSON, Sampling::UNIFORM})
+      check_with_errors(name, sampling);
+}
