@@ -36,8 +36,8 @@ inline std::size_t sort_band(Field_band& band)
     order[i] = i;
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     const Vector &p = band.points[a], &q = band.points[b];
-    return std::make_tuple(band.distances[a], p.x(), p.y(), p.z(), band.indices[a])
-      < std::make_tuple(band.distances[b], q.x(), q.y(), q.z(), band.indices[b]);
+    return std::make_tuple(band.distances[a], p.squaredNorm(), p.x(), p.y(), p.z(), band.indices[a])
+      < std::make_tuple(band.distances[b], q.squaredNorm(), q.x(), q.y(), q.z(), band.indices[b]);
   });
   std::vector<Vector> positions;
   for (std::size_t i : order)

@@ -63,6 +63,15 @@ inline Contraction contract(const Field_band& band, double radius)
         result.curves[i], options, [&](Local_curve& curve, const Local_fit_options& scaled) {
           curve = fit.principal_axis(band.points[i], scaled.radius);
           fit.refine(curve, band.points[i], scaled);
+          // the sign of an eigenvector is arbitrary: the first point of the ball that is clearly on one side decides
+          double side = 0.;
+          std::size_t first = band.size();
+          for (std::size_t j : fit.ball()) {
+            const double s = curve.parameter(band.points[j]);
+            if (std::abs(s) > 0.5 && j < first) { first = j; side = s; }
+          }
+          if (side < 0.)
+            curve.tangent = -curve.tangent;
         });
   });
   result.noise = median(result.residuals);

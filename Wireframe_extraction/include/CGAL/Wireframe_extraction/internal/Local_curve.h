@@ -143,7 +143,8 @@ public:
       Local_fit_options scaled = options;
       scaled.radius *= factors[k];
       refine_one(fits[k], scaled);
-      residuals[k] = residual(fits[k], fits[k].point, 2.);
+      // too few points agree with any curve
+      residuals[k] = m_ball.size() < 4 ? 1. : residual(fits[k], fits[k].point, 2.);
       best = (std::min)(best, residuals[k]);
     }
     int chosen = 0;
@@ -200,7 +201,8 @@ private:
       const double weight = robust * field_weight(m_band.distances[i])
         * kernel((m_band.points[i] - center).squaredNorm() / squared_radius);
       Vector6 j;
-      const double u = x / distance, v = y / distance;
+      // on the curve itself, the direction to it is undefined
+      const double u = x / (std::max)(distance, 0.05), v = y / (std::max)(distance, 0.05);
       j << u, v, s * u, s * v, 0.5 * s * s * u, 0.5 * s * s * v;
       hessian.noalias() += weight * j * j.transpose();
       gradient.noalias() -= weight * e * j;
@@ -211,7 +213,12 @@ private:
     hessian(5, 5) += prior;
     gradient(4) -= prior * bend_x;
     gradient(5) -= prior * bend_y;
-    hessian.diagonal().array() += 1e-3 + 1e-3 * hessian.diagonal().array();
+    // the same for both normals, since their directions are arbitrary
+    for (int k = 0; k < 6; k += 2) {
+      const double damping = 1e-3 + 0.5e-3 * (hessian(k, k) + hessian(k + 1, k + 1));
+      hessian(k, k) += damping;
+      hessian(k + 1, k + 1) += damping;
+    }
     const Vector6 delta = hessian.ldlt().solve(gradient);
     const double length = delta.head<2>().norm();
     const double shrink = length > 1. ? 1. / length : 1.;

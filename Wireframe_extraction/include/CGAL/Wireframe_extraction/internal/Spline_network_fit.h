@@ -407,6 +407,8 @@ private:
     options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
     options.max_num_iterations = 12;
     options.function_tolerance = 1e-5;
+    options.jacobi_scaling = false;
+    options.min_lm_diagonal = options.max_lm_diagonal = 1.;
     options.logging_type = ceres::SILENT;
     options.num_threads = 1;    // sums over threads would depend on their number
     options.callbacks.push_back(&stop);

@@ -48,9 +48,16 @@ inline std::vector<std::size_t> indices_spread_by_distance(const std::vector<dou
   for (std::size_t i = 0; i < distances.size(); ++i)
     if (distances[i] < largest)
       order.push_back(i);
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
+  // of equal distances none is taken, since which one would depend on the order of the cloud
+  std::vector<std::size_t> unique;
+  for (std::size_t k = 0; k < order.size(); ++k)
+    if ((k == 0 || distances[order[k - 1]] < distances[order[k]])
+        && (k + 1 == order.size() || distances[order[k]] < distances[order[k + 1]]))
+      unique.push_back(order[k]);
+  order = unique;
   if (order.size() < 64)
     return spread_indices(distances.size());
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
   std::vector<std::size_t> indices = spread_indices(order.size());
   for (std::size_t& i : indices)
     i = order[i];

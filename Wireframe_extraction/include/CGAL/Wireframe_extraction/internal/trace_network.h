@@ -153,7 +153,8 @@ private:
   {
     const std::vector<double>& residuals = m_contraction.residuals;
     std::sort(seeds.begin(), seeds.end(), [&](std::size_t a, std::size_t b) {
-      return residuals[a] < residuals[b] || (residuals[a] == residuals[b] && a < b);
+      const double ra = (std::max)(residuals[a], 0.02), rb = (std::max)(residuals[b], 0.02);
+      return ra < rb || (ra == rb && a < b);
     });
     const double noise = m_contraction.noise;
     std::vector<Traced_curve> curves;
