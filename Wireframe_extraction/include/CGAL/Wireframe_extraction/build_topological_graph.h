@@ -130,10 +130,12 @@ Wireframe_graph<GeomTraits> build_graph(const Wireframe_skeleton<GeomTraits>& sk
 builds the topological graph of a wireframe: polylines that end in corners.
 
 - `Graph_method::TRACED`: from the points of the clusters, best fits first, curves are traced through the field, step by
-  step, as long as it agrees with them. What they do not need to explain the field is dropped. Their ends are beliefs
-  about corners, sure across the curve and unsure along it; ends whose beliefs agree are joined, ends next to the inside
-  of another curve split it, ends that face each other over a gap are bridged. The corners handed over only matter in
-  that their points are no seeds.
+  step, as long as it agrees with them; then from points that these curves leave unexplained. What is not needed to
+  explain the field is dropped. The ends of the curves are beliefs about corners, sure across the curve and unsure along
+  it: ends whose beliefs agree are joined, ends next to the inside of another curve split it, ends that face each other
+  over a gap are bridged, short curves between corners are added where the field asks for them. Splines fitted to the
+  field replace the polylines, and their ends are joined in the same way once more. The corners handed over only matter
+  in that their points are no seeds.
 - `Graph_method::SUBDIVIDED`: every cluster gets a polyline between its two ends, or a triangle if it is a cycle, which
   is subdivided at the point that disagrees most with it while that exceeds `split_threshold` (eq. 2 of Matveev et al.
   2021); ends join the nearest corner.

@@ -57,10 +57,11 @@ inline double second_variance_ratio(const std::vector<Vector>& points, const std
   for (std::size_t i : ball)
     positions.emplace_back(points[i].x(), points[i].y(), points[i].z());
   const CGAL::Dimension_tag<0> of_points;
+  const auto first = positions.begin(), beyond = positions.end();
   K::Line_3 line;
   K::Plane_3 plane;
-  const double l2_by_l3 = 1. - CGAL::linear_least_squares_fitting_3(positions.begin(), positions.end(), line, of_points);
-  const double l1_by_l2 = 1. - CGAL::linear_least_squares_fitting_3(positions.begin(), positions.end(), plane, of_points);
+  const double l2_by_l3 = 1. - CGAL::linear_least_squares_fitting_3(first, beyond, line, of_points);
+  const double l1_by_l2 = 1. - CGAL::linear_least_squares_fitting_3(first, beyond, plane, of_points);
   const double ratio = l2_by_l3 / (1. + l2_by_l3 + l1_by_l2 * l2_by_l3);
   return std::isfinite(ratio) ? ratio : 0.;
 }

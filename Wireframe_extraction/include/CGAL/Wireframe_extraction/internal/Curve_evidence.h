@@ -135,7 +135,8 @@ public:
   }
 
   // the loss of the points around `center` if there were only these polylines
-  double loss_around(const Vector& center, double radius, const std::vector<const std::vector<Vector>*>& polylines) const
+  double loss_around(const Vector& center, double radius,
+                     const std::vector<const std::vector<Vector>*>& polylines) const
   {
     Segment_grid grid;
     for (std::size_t c = 0; c < polylines.size(); ++c)

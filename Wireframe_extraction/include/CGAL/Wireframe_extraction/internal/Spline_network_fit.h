@@ -275,10 +275,11 @@ private:
     std::vector<std::vector<double> > parameters(m_curves.size());
     for (std::size_t c = 0; c < m_curves.size(); ++c) {
       const Cubic_spline& spline = m_curves[c].spline;
-      const std::size_t count = (std::max)(std::size_t(8), static_cast<std::size_t>(2. * (spline.back() - spline.front())));
+      const double length = spline.back() - spline.front();
+      const std::size_t count = (std::max)(std::size_t(8), static_cast<std::size_t>(2. * length));
       std::vector<Vector> polyline;
       for (std::size_t k = 0; k <= count; ++k) {
-        parameters[c].push_back(spline.front() + (spline.back() - spline.front()) * double(k) / double(count));
+        parameters[c].push_back(spline.front() + length * double(k) / double(count));
         polyline.push_back(spline.at(parameters[c].back()));
       }
       grid.add(c, polyline);
@@ -407,6 +408,7 @@ private:
     options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
     options.max_num_iterations = 12;
     options.function_tolerance = 1e-5;
+    // damping that is the same in all directions: the axes must not matter
     options.jacobi_scaling = false;
     options.min_lm_diagonal = options.max_lm_diagonal = 1.;
     options.logging_type = ceres::SILENT;

@@ -182,7 +182,7 @@ private:
     return curves;
   }
 
-  // Curves so close to others that no fit there was good: now that the others are known, what they explain is set aside.
+  // Curves so close to others that no fit there was good: what the others explain is set aside now.
   void trace_unexplained(Curve_tracer& tracer, Field_explanation& explanation, std::vector<Traced_curve>& curves) const
   {
     const double tolerance = m_tracing.tolerance();
