@@ -120,7 +120,8 @@ void print_summary(std::ostream& out, const Options& options, const CGAL::Wirefr
   print_row(out, "r", short_number(r) + (options.sampling_distance > 0. ? " (given)" : " (estimated)"));
   print_row(out, "Noise", length_text(report.noise, r));
   print_row(out, "Skeleton", counted(report.skeleton_size, "point", "points"));
-  print_row(out, "Corners", std::to_string(report.number_of_corners));
+  print_row(out, "Corners", std::to_string(report.number_of_corners)
+            + (report.number_of_free_ends == 0 ? "" : ", and " + std::to_string(report.number_of_free_ends) + " free ends"));
   print_row(out, "Curves", curves_text(wireframe));
   print_row(out, "Residuals", "rms " + length_text(report.root_mean_square, r) + ", largest "
                                 + length_text(report.maximum_deviation, r));

@@ -370,7 +370,14 @@ extract_wireframe(const PointRange& points, const NamedParameters& np = CGAL::pa
     report.message = "no curve explains the field";
     return give_up(Report::Status::NO_FEATURE);
   }
-  report.number_of_corners = wireframe.vertices.size();
+  std::vector<std::size_t> ends(wireframe.vertices.size(), 0);
+  for (const Wireframe_curve<Geom_traits>& curve : wireframe.curves)
+    if (curve.source != curve.no_vertex) {
+      ++ends[curve.source];
+      ++ends[curve.target];
+    }
+  report.number_of_free_ends = std::count(ends.begin(), ends.end(), std::size_t(1));
+  report.number_of_corners = wireframe.vertices.size() - report.number_of_free_ends;
   report.number_of_curves = wireframe.curves.size();
   double squares = 0., support = 0.;
   for (const Wireframe_curve<Geom_traits>& curve : wireframe.curves) {

@@ -39,7 +39,8 @@ struct Wireframe_extraction_report
   std::size_t number_of_skipped_points = 0;   ///< points left out since they are invalid
   std::size_t number_of_duplicates = 0;       ///< points near features left out since they repeat others
   std::size_t skeleton_size = 0;              ///< points of the skeleton
-  std::size_t number_of_corners = 0;          ///< vertices of the wireframe
+  std::size_t number_of_corners = 0;          ///< vertices of the wireframe in which curves meet
+  std::size_t number_of_free_ends = 0;        ///< vertices of the wireframe in which a single curve ends
   std::size_t number_of_clusters = 0;         ///< groups of points that curves start from
   std::size_t number_of_curves = 0;           ///< curves of the wireframe
   double sampling_distance = 0.;              ///< in the cloud's unit
