@@ -61,7 +61,7 @@ Wireframe extracted(const Sampled_shape& shape)
   assert(report.status == Report::Status::SUCCESS && report.message.empty());
   assert(report.number_of_points == shape.cloud.size());
   assert(report.number_of_curves == wireframe.curves.size());
-  assert(report.number_of_corners == wireframe.vertices.size());
+  assert(report.number_of_corners + report.number_of_free_ends == wireframe.vertices.size());
   assert(report.sampling_distance == wireframe.sampling_distance);
   assert(std::abs(report.sampling_distance / r - 1.) < 0.06);
   assert(report.skeleton_size > 100 && report.number_of_clusters > 0);
