@@ -608,6 +608,11 @@ struct Polylines
 struct Graph_summary { std::size_t corners, curves, components, tips; };
 
 // what every graph has to fulfill, and what there is in it
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"   // a false one, about edges of Boost that CGAL collects
+#endif
+
 Graph_summary summary(const Graph& graph)
 {
   typedef boost::graph_traits<Graph>::vertex_descriptor Vertex;
@@ -650,6 +655,10 @@ Graph_summary summary(const Graph& graph)
   assert(number_of_edges == boost::num_edges(graph));
   return result;
 }
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
 
 // the largest distance of a vertex to curves in the plane z = 0, in r
 double largest_offset(const Graph& graph, const Plane_distance& plane_distance)
