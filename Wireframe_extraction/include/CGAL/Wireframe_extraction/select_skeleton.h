@@ -59,7 +59,7 @@ struct Cloud_values
   std::vector<double> distances;
   std::vector<std::size_t> indices;
 
-  Cloud_scale scale() const { return cloud_scale(positions, distances, indices_spread_by_distance(distances)); }
+  Cloud_scale scale() const { return cloud_scale(positions, distances, indices_spread_by_distance(distances, positions)); }
 };
 
 template <class GeomTraits>

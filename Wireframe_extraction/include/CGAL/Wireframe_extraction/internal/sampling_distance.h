@@ -41,7 +41,8 @@ inline std::vector<std::size_t> spread_indices(std::size_t n)
 
 // Indices evenly spread over the ranks of the distances: the same points whatever the order of the cloud. The points
 // at the largest value are left out, since a field is truncated there and their order would be arbitrary.
-inline std::vector<std::size_t> indices_spread_by_distance(const std::vector<double>& distances)
+inline std::vector<std::size_t> indices_spread_by_distance(const std::vector<double>& distances,
+                                                           const std::vector<Vector>& positions)
 {
   const double largest = distances.empty() ? 0. : *std::max_element(distances.begin(), distances.end());
   std::vector<std::size_t> order;
@@ -49,12 +50,15 @@ inline std::vector<std::size_t> indices_spread_by_distance(const std::vector<dou
     if (distances[i] < largest)
       order.push_back(i);
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
-  // of equal distances none is taken, since which one would depend on the order of the cloud
+  // of different positions with the same distance none is taken: which one would depend on the order of the cloud
   std::vector<std::size_t> unique;
-  for (std::size_t k = 0; k < order.size(); ++k)
-    if ((k == 0 || distances[order[k - 1]] < distances[order[k]])
-        && (k + 1 == order.size() || distances[order[k]] < distances[order[k + 1]]))
-      unique.push_back(order[k]);
+  for (std::size_t first = 0, beyond = 0; first < order.size(); first = beyond) {
+    bool is_one_position = true;
+    for (beyond = first; beyond < order.size() && distances[order[beyond]] == distances[order[first]]; ++beyond)
+      is_one_position = is_one_position && positions[order[beyond]] == positions[order[first]];
+    if (is_one_position)
+      unique.push_back(order[first]);
+  }
   order = unique;
   if (order.size() < 64)
     return spread_indices(distances.size());
