@@ -15,6 +15,8 @@
 
 #include <Sample_solids/geometry.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -22,7 +24,7 @@
 
 namespace Sample_solids {
 
-enum class Curve_kind { LINE, CIRCLE, ARC, SPLINE, COMPOSITE };
+enum class Curve_kind { LINE, CIRCLE, ARC, ELLIPSE, ELLIPTIC_ARC, SPLINE, COMPOSITE };
 
 inline const char* name_of(Curve_kind kind)
 {
@@ -31,13 +33,16 @@ inline const char* name_of(Curve_kind kind)
     case Curve_kind::LINE: return "line";
     case Curve_kind::CIRCLE: return "circle";
     case Curve_kind::ARC: return "arc";
+    case Curve_kind::ELLIPSE: return "ellipse";
+    case Curve_kind::ELLIPTIC_ARC: return "elliptic_arc";
     case Curve_kind::SPLINE: return "spline";
     case Curve_kind::COMPOSITE: return "composite";
   }
   return "";
 }
 
-/// One edge of a solid: a line, a circle, an arc, or any other smooth curve, over the parameters 0 to 1.
+/// One edge of a solid, over the parameters 0 to 1: a line, a circle, an arc, any other smooth curve given as a
+/// map, or, whatever its kind, the polyline by which it is known.
 struct Curve
 {
   static constexpr std::size_t no_vertex = (std::numeric_limits<std::size_t>::max)();
@@ -54,16 +59,29 @@ struct Curve
   double radius = 0;                ///< of a circle or an arc
   double sweep = 0;                 ///< of a circle or an arc, positive, in radians
   std::function<Point(double)> map; ///< of any other curve
+  std::vector<Point> polyline;      ///< if not empty, what the curve is; see `set_polyline()`
+  std::vector<double> arc_lengths;  ///< of the polyline, up to each of its points
 
-  bool has_closed_form_distance() const { return kind != Curve_kind::SPLINE; }
+  /// makes the curve a polyline of two or more points. Its parameter is the arc length.
+  void set_polyline(std::vector<Point> points)
+  {
+    polyline.swap(points);
+    arc_lengths.assign(1, 0.);
+    for (std::size_t i = 1; i < polyline.size(); ++i)
+      arc_lengths.push_back(arc_lengths.back() + distance(polyline[i - 1], polyline[i]));
+  }
+
+  bool has_closed_form_distance() const { return polyline.empty() && !map; }
 
   /// returns the point at the parameter `t`.
   Point at(double t) const
   {
+    if (!polyline.empty())
+      return at_arc_length(t * arc_lengths.back());
+    if (map)
+      return map(t);
     if (kind == Curve_kind::LINE)
       return start + t * (end - start);
-    if (kind == Curve_kind::SPLINE)
-      return map(t);
     const double angle = t * sweep;
     return frame(radius * std::cos(angle), radius * std::sin(angle), 0);
   }
@@ -71,18 +89,22 @@ struct Curve
   /// returns the direction at the parameter `t`, of unit length.
   Point tangent(double t) const
   {
+    if (!polyline.empty() && t <= 0)
+      return end_tangent(0);
+    if (!polyline.empty() && t >= 1)
+      return -1. * end_tangent(polyline.size() - 1);
     const double h = 1e-6;
     const double low = (std::max)(0., t - h), high = (std::min)(1., t + h);
     return unit(at(high) - at(low));
   }
 
-  /// returns the length; of other curves than lines, circles and arcs by Simpson's rule on the speed.
+  /// returns the length; of a map by Simpson's rule on the speed.
   double length() const
   {
-    if (kind == Curve_kind::LINE)
-      return distance(start, end);
-    if (kind != Curve_kind::SPLINE)
-      return radius * sweep;
+    if (!polyline.empty())
+      return arc_lengths.back();
+    if (!map)
+      return kind == Curve_kind::LINE ? distance(start, end) : radius * sweep;
     const int n = 4096;
     const double h = 1. / n;
     double sum = 0;
@@ -97,7 +119,13 @@ struct Curve
     return kind == Curve_kind::LINE ? distance_to_line(p) : distance_to_arc(p);
   }
 
-  /// returns the smallest distance to the part between two near parameters of any other curve.
+  /// returns the distance to the segment of a polyline that begins at its point `i`.
+  double distance_to_segment(const Point& p, std::size_t i) const
+  {
+    return distance_to_segment(p, polyline[i], polyline[i + 1]);
+  }
+
+  /// returns the smallest distance to the part between two near parameters of a map.
   double local_distance(const Point& p, double low, double high) const
   {
     // the sign of the derivative of the squared distance brackets its minimum
@@ -133,6 +161,28 @@ struct Curve
   }
 
 private:
+  Point at_arc_length(double s) const
+  {
+    const auto next = std::upper_bound(arc_lengths.begin() + 1, arc_lengths.end() - 1, s);
+    const std::size_t i = static_cast<std::size_t>(next - arc_lengths.begin());
+    const double t = (s - arc_lengths[i - 1]) / (arc_lengths[i] - arc_lengths[i - 1]);
+    return polyline[i - 1] + (std::min)(1., (std::max)(0., t)) * (polyline[i] - polyline[i - 1]);
+  }
+
+  /// the direction from an end of the polyline inwards: that of the circle through the last three points, so
+  /// that a coarse polyline of an arc has the arc's tangent
+  Point end_tangent(std::size_t first) const
+  {
+    const std::size_t n = polyline.size();
+    const Point& p = polyline[first];
+    const Point u = polyline[first == 0 ? 1 : n - 2] - p;
+    if (n == 2)
+      return unit(u);
+    const Point v = polyline[first == 0 ? 2 : n - 3] - p;
+    const Point w = (1. / dot(u, u)) * u - (1. / (std::max)(dot(v, v), 1e-300)) * v;
+    return dot(w, u) > 0 ? unit(w) : unit(u);
+  }
+
   Point derivative(double t) const
   {
     const double h = 1e-5;
@@ -143,12 +193,14 @@ private:
 
   double slope(const Point& p, double t) const { return dot(at(t) - p, derivative(t)); }
 
-  double distance_to_line(const Point& p) const
+  static double distance_to_segment(const Point& p, const Point& a, const Point& b)
   {
-    const Point v = end - start;
-    const double t = dot(p - start, v) / dot(v, v);
-    return distance(p, at((std::min)(1., (std::max)(0., t))));
+    const Point v = b - a;
+    const double t = dot(p - a, v) / dot(v, v);
+    return distance(p, a + (std::min)(1., (std::max)(0., t)) * v);
   }
+
+  double distance_to_line(const Point& p) const { return distance_to_segment(p, start, end); }
 
   double distance_to_arc(const Point& p) const
   {
@@ -168,7 +220,7 @@ private:
   std::vector<double> even_parameters(std::size_t n) const
   {
     std::vector<double> result;
-    if (kind != Curve_kind::SPLINE)
+    if (!map || !polyline.empty())
     {
       for (std::size_t i = 0; i <= n; ++i)
         result.push_back(static_cast<double>(i) / static_cast<double>(n));

@@ -22,7 +22,8 @@
 namespace Sample_solids {
 
 /// The exact distance to the nearest of many curves, by a tree of the bounding boxes of pieces of them.
-/// Lines, circles and arcs answer in closed form, other curves by bracketing the foot point on a short piece.
+/// Lines, circles and arcs answer in closed form, polylines by their segments, other curves by bracketing the
+/// foot point on a short piece.
 /// A query takes logarithmic time in the number of pieces. The curves must outlive the object.
 class Curve_distance
 {
@@ -80,7 +81,7 @@ private:
   struct Piece
   {
     std::size_t curve;
-    double low, high;
+    double low, high;   ///< parameters; of a polyline the indices of two neighbouring points
     Box box;
   };
 
@@ -94,6 +95,15 @@ private:
   void add_pieces(std::size_t index)
   {
     const Curve& curve = (*curves)[index];
+    for (std::size_t i = 0; i + 1 < curve.polyline.size(); ++i)
+    {
+      Piece piece = {index, double(i), double(i + 1), Box()};
+      piece.box.add(curve.polyline[i], 0);
+      piece.box.add(curve.polyline[i + 1], 0);
+      pieces.push_back(piece);
+    }
+    if (!curve.polyline.empty())
+      return;
     const int n = curve.kind == Curve_kind::LINE ? 1 : curve.kind == Curve_kind::ARC ? 2
                   : curve.kind == Curve_kind::CIRCLE ? 8 : 512;
     for (int i = 0; i < n; ++i)
@@ -166,6 +176,8 @@ private:
   double distance_to_piece(const Piece& piece, const Point& p) const
   {
     const Curve& curve = (*curves)[piece.curve];
+    if (!curve.polyline.empty())
+      return curve.distance_to_segment(p, static_cast<std::size_t>(piece.low));
     return curve.has_closed_form_distance() ? curve.closed_form_distance(p)
                                             : curve.local_distance(p, piece.low, piece.high);
   }

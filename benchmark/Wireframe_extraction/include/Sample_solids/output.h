@@ -61,6 +61,18 @@ inline std::string number(double x, int digits)
   return buffer;
 }
 
+/// returns a text as JSON writes it between quotation marks.
+inline std::string escaped(const std::string& text)
+{
+  std::string result;
+  for (char c : text)
+    if (c == '"' || c == '\\')
+      result += {'\\', c};
+    else
+      result += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+  return result;
+}
+
 inline void append_float(std::string& buffer, double x)
 {
   const float value = static_cast<float>(x);
@@ -129,7 +141,7 @@ inline bool write_ply(std::ostream& out, const Cloud& cloud)
 inline bool write_truth(std::ostream& out, const Ground_truth& truth, const std::string& name,
                         std::size_t points)
 {
-  out << "{\"shape\": \"" << name << "\", \"r\": " << internal::number(truth.sampling_distance, 12)
+  out << "{\"shape\": \"" << internal::escaped(name) << "\", \"r\": " << internal::number(truth.sampling_distance, 12)
       << ", \"points\": " << points << ",\n\"curves\": ";
   internal::write_curves(out, truth.curves);
   out << ",\n\"segments\": ";

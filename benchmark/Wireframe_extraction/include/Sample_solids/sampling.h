@@ -14,19 +14,17 @@
 #define SAMPLE_SOLIDS_SAMPLING_H
 
 #include <Sample_solids/Curve_distance.h>
-#include <Sample_solids/Point_grid.h>
+#include <Sample_solids/Poisson_sampler.h>
 #include <Sample_solids/Solid.h>
 #include <Sample_solids/field_error.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace Sample_solids {
-
-/// Points per squared sampling distance: at this density a Poisson-disk cloud has points whose nearest
-/// neighbours are one sampling distance away in the mean.
-constexpr double density = 0.82;
 
 enum class Sampling { POISSON, UNIFORM };
 
@@ -43,18 +41,6 @@ struct Sampling_options
   double position_noise = -1;      ///< in sampling distances; negative: 0.25 for a noisy field, 0 for others
   std::uint64_t seed = 1;
 };
-
-/// returns how many points `sample()` takes.
-inline std::size_t number_of_points(double area, double sampling_distance)
-{
-  return static_cast<std::size_t>(density * area / (sampling_distance * sampling_distance) + 0.5);
-}
-
-/// returns the sampling distance at which an area holds `n` points.
-inline double sampling_distance_for(double area, std::size_t n)
-{
-  return std::sqrt(density * area / static_cast<double>(n));
-}
 
 namespace internal {
 
@@ -88,148 +74,97 @@ inline void sample_uniformly(const Solid& solid, std::size_t n, Random& random, 
   }
 }
 
-/// Poisson-disk points by dart throwing. Darts go only where there is still room: the faces are cut into
-/// tiles, and a tile that lies in one point's disk or off its face is dropped, the others are quartered.
-/// So the result is that of dart throwing over the whole surface, in linear time. The disks begin larger than
-/// they end: at the same density this makes the nearest neighbours more equally far than disks of one size.
-class Poisson_sampler
+/// The tiles of a solid's faces: rectangles of their parameters.
+class Solid_tiling
 {
 public:
-  Poisson_sampler(const Solid& solid_, double sampling_distance, std::size_t n, Random& random_,
-                  Cloud& cloud_)
-    : solid(solid_), smallest(0.9 * sampling_distance), largest(sampling_distance), wanted(n),
-      random(random_), cloud(cloud_), grid(2 * largest, n)
-  {
-    cloud.faces.reserve(wanted);
-    make_tiles();
-  }
-
-  void run()
-  {
-    const int rounds = 12, rounds_per_level = 4, deepest = 12;
-    for (int round = 0; grid.size() < wanted && !tiles.empty() && level <= deepest; ++round)
-    {
-      disk_radius = (std::max)(smallest, largest - (largest - smallest) * round / rounds);
-      sweep();
-      const bool is_quartered = round >= rounds || round % rounds_per_level == rounds_per_level - 1;
-      if (grid.size() < wanted && is_quartered)
-        refine();
-    }
-    cloud.points = grid.get_points();
-  }
-
-private:
   struct Tile
   {
     std::uint32_t face, i, j;
   };
 
-  struct Tiling
-  {
-    double columns, rows;   ///< of the face, on the present level
-    double weight;          ///< of one tile relative to the heaviest: how likely a dart may hit it
-  };
+  explicit Solid_tiling(const Solid& solid_) : solid(solid_) {}
 
-  void make_tiles()
+  std::vector<Tile> tiles(double side)
   {
-    const double side = 0.7 * smallest;
+    side *= 0.7;
     double heaviest = 0;
     for (const Face& face : solid.faces)
     {
       const double columns = std::ceil(face.side_u() / side), rows = std::ceil(face.side_v() / side);
-      tilings.push_back({columns, rows, face.largest_area_element() / (columns * rows)});
-      heaviest = (std::max)(heaviest, tilings.back().weight);
+      grids.push_back({columns, rows, face.largest_area_element() / (columns * rows)});
+      heaviest = (std::max)(heaviest, grids.back().weight);
     }
+    std::vector<Tile> result;
     for (std::uint32_t f = 0; f < solid.faces.size(); ++f)
     {
-      tilings[f].weight /= heaviest;
-      for (std::uint32_t i = 0; i < tilings[f].columns; ++i)
-        for (std::uint32_t j = 0; j < tilings[f].rows; ++j)
-          if (!is_off_face({f, i, j}))
-            tiles.push_back({f, i, j});
+      grids[f].weight /= heaviest;
+      for (std::uint32_t i = 0; i < grids[f].columns; ++i)
+        for (std::uint32_t j = 0; j < grids[f].rows; ++j)
+          if (!is_off_surface({f, i, j}))
+            result.push_back({f, i, j});
     }
+    return result;
   }
 
-  /// throws about as many darts as there are tiles. Going through the tiles with long random steps, many
-  /// times, is as good as taking random tiles, and finds in the cache what it looks at.
-  void sweep()
+  bool throw_dart(const Tile& tile, Random& random, Point& p) const
   {
-    for (int k = 0; k < 8; ++k)
-      for (std::size_t i = random.index(15); i < tiles.size() && grid.size() < wanted;
-           i += 1 + random.index(15))
-        throw_dart(tiles[i]);
-  }
-
-  void throw_dart(const Tile& tile)
-  {
-    const Tiling& tiling = tilings[tile.face];
+    const Grid& grid = grids[tile.face];
     const Face& face = solid.faces[tile.face];
-    const double u = (tile.i + random.uniform()) / tiling.columns;
-    const double v = (tile.j + random.uniform()) / tiling.rows;
-    if (random.uniform() * face.largest_area_element() > tiling.weight * face.area_element(v))
-      return;
-    const Point p = face.at(u, v);
-    if (grid.has_point_within(p, disk_radius) || face.inside(p) < 0)
-      return;
-    grid.add(p);
-    cloud.faces.push_back(tile.face);
+    const double u = (tile.i + random.uniform()) / grid.columns;
+    const double v = (tile.j + random.uniform()) / grid.rows;
+    if (random.uniform() * face.largest_area_element() > grid.weight * face.area_element(v))
+      return false;
+    p = face.at(u, v);
+    return true;
   }
+
+  bool is_on_surface(const Tile& tile, const Point& p) const { return solid.faces[tile.face].inside(p) >= 0; }
 
   Point center(const Tile& tile) const
   {
-    const Tiling& tiling = tilings[tile.face];
-    return solid.faces[tile.face].at((tile.i + 0.5) / tiling.columns, (tile.j + 0.5) / tiling.rows);
+    const Grid& grid = grids[tile.face];
+    return solid.faces[tile.face].at((tile.i + 0.5) / grid.columns, (tile.j + 0.5) / grid.rows);
   }
 
-  /// an upper bound of the distance of a tile's points to its centre
   double extent(const Tile& tile) const
   {
-    const Tiling& tiling = tilings[tile.face];
+    const Grid& grid = grids[tile.face];
     const Face& face = solid.faces[tile.face];
-    return 0.5 * std::hypot(face.side_u() / tiling.columns, face.side_v() / tiling.rows);
+    return 0.5 * std::hypot(face.side_u() / grid.columns, face.side_v() / grid.rows);
   }
 
-  bool is_off_face(const Tile& tile) const
+  bool is_off_surface(const Tile& tile) const
   {
     const Face& face = solid.faces[tile.face];
     return !face.trims.empty() && face.inside(center(tile)) < -extent(tile);
   }
 
-  bool is_full(const Tile& tile) const
+  void halve()
   {
-    const double radius = smallest - extent(tile);
-    return radius > 0 && grid.has_point_within(center(tile), radius);
+    for (Grid& grid : grids)
+    {
+      grid.columns *= 2;
+      grid.rows *= 2;
+    }
   }
 
-  void refine()
+  Tile quarter(const Tile& tile, std::uint32_t k) const
   {
-    ++level;
-    for (Tiling& tiling : tilings)
-    {
-      tiling.columns *= 2;
-      tiling.rows *= 2;
-    }
-    std::vector<Tile> finer;
-    for (const Tile& tile : tiles)
-      for (std::uint32_t k = 0; k < 4; ++k)
-      {
-        const Tile quarter = {tile.face, 2 * tile.i + k % 2, 2 * tile.j + k / 2};
-        if (!is_full(quarter) && !is_off_face(quarter))
-          finer.push_back(quarter);
-      }
-    tiles.swap(finer);
+    return {tile.face, 2 * tile.i + k % 2, 2 * tile.j + k / 2};
   }
+
+  std::uint32_t face(const Tile& tile) const { return tile.face; }
+
+private:
+  struct Grid
+  {
+    double columns, rows;   ///< of the face, on the present level
+    double weight;          ///< of one tile relative to the heaviest: how likely a dart may hit it
+  };
 
   const Solid& solid;
-  double smallest, largest;      ///< distance of any two points, at the end and at the beginning
-  double disk_radius = 0;        ///< at present
-  std::size_t wanted;
-  Random& random;
-  Cloud& cloud;
-  Point_grid grid;
-  std::vector<Tile> tiles;
-  std::vector<Tiling> tilings;
-  int level = 0;
+  std::vector<Grid> grids;
 };
 
 inline void annotate(const Solid& solid, const Sampling_options& options, Cloud& cloud)
@@ -259,7 +194,10 @@ inline Cloud sample_exactly(const Solid& solid, const Sampling_options& options 
   if (options.sampling == Sampling::UNIFORM)
     internal::sample_uniformly(solid, n, random, cloud);
   else
-    internal::Poisson_sampler(solid, options.sampling_distance, n, random, cloud).run();
+  {
+    internal::Solid_tiling tiling(solid);
+    Poisson_sampler<internal::Solid_tiling>(tiling, options.sampling_distance, n, random, cloud).run();
+  }
   internal::annotate(solid, options, cloud);
   cloud.distances = cloud.exact_distances;
   return cloud;

@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+
+
+#ifndef SAMPLE_SOLIDS_POISSON_SAMPLER_H
+#define SAMPLE_SOLIDS_POISSON_SAMPLER_H
+
+#include <Sample_solids/Point_grid.h>
+#include <Sample_solids/field_error.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace Sample_solids {
+
+/// Points per squared sampling distance: at this density a Poisson-disk cloud has points whose nearest
+/// neighbours are one sampling distance away in the mean.
+constexpr double density = 0.82;
+
+/// returns how many points a cloud has.
+inline std::size_t number_of_points(double area, double sampling_distance)
+{
+  return static_cast<std::size_t>(density * area / (sampling_distance * sampling_distance) + 0.5);
+}
+
+/// returns the sampling distance at which an area holds `n` points.
+inline double sampling_distance_for(double area, std::size_t n)
+{
+  return std::sqrt(density * area / static_cast<double>(n));
+}
+
+/// Poisson-disk points by dart throwing. Darts go only where there is still room: the surface is cut into
+/// tiles, and a tile that lies in one point's disk or off the surface is dropped, the others are quartered.
+/// So the result is that of dart throwing over the whole surface, in linear time. The disks begin larger than
+/// they end: at the same density this makes the nearest neighbours more equally far than disks of one size.
+///
+/// `Tiling` knows the surface. It has a type `Tile` and
+/// - `tiles(side)`: the tiles of the first level, about `side` large;
+/// - `throw_dart(tile, random, p)`: a random point of the tile; false if the tile, by its area, is not hit;
+/// - `is_on_surface(tile, p)`;
+/// - `center(tile)`, `extent(tile)`: an upper bound of the distance of a tile's points to its centre;
+/// - `is_off_surface(tile)`: whether it surely lies off the surface;
+/// - `halve()`: the next level begins; `quarter(tile, k)`: one of four parts on it of a tile of the level before;
+/// - `face(tile)`: what `Cloud::faces` tells of its points.
+template <class Tiling>
+class Poisson_sampler
+{
+public:
+  typedef typename Tiling::Tile Tile;
+
+  Poisson_sampler(Tiling& tiling_, double sampling_distance, std::size_t n, Random& random_, Cloud& cloud_)
+    : tiling(tiling_), smallest(0.9 * sampling_distance), largest(sampling_distance), wanted(n),
+      random(random_), cloud(cloud_), grid(2 * largest, n), tiles(tiling.tiles(smallest))
+  {
+    cloud.faces.reserve(wanted);
+  }
+
+  void run()
+  {
+    const int rounds = 12, rounds_per_level = 4, deepest = 12;
+    for (int round = 0; grid.size() < wanted && !tiles.empty() && level <= deepest; ++round)
+    {
+      disk_radius = (std::max)(smallest, largest - (largest - smallest) * round / rounds);
+      sweep();
+      const bool is_quartered = round >= rounds || round % rounds_per_level == rounds_per_level - 1;
+      if (grid.size() < wanted && is_quartered)
+        refine();
+    }
+    cloud.points = grid.get_points();
+  }
+
+private:
+  /// throws about as many darts as there are tiles. Going through the tiles with long random steps, many
+  /// times, is as good as taking random tiles, and finds in the cache what it looks at.
+  void sweep()
+  {
+    for (int k = 0; k < 8; ++k)
+      for (std::size_t i = random.index(15); i < tiles.size() && grid.size() < wanted;
+           i += 1 + random.index(15))
+        throw_dart(tiles[i]);
+  }
+
+  void throw_dart(const Tile& tile)
+  {
+    Point p;
+    if (!tiling.throw_dart(tile, random, p) || grid.has_point_within(p, disk_radius)
+        || !tiling.is_on_surface(tile, p))
+      return;
+    grid.add(p);
+    cloud.faces.push_back(tiling.face(tile));
+  }
+
+  bool is_full(const Tile& tile) const
+  {
+    const double radius = smallest - tiling.extent(tile);
+    return radius > 0 && grid.has_point_within(tiling.center(tile), radius);
+  }
+
+  void refine()
+  {
+    ++level;
+    tiling.halve();
+    std::vector<Tile> finer;
+    for (const Tile& tile : tiles)
+      for (std::uint32_t k = 0; k < 4; ++k)
+      {
+        const Tile quarter = tiling.quarter(tile, k);
+        if (!is_full(quarter) && !tiling.is_off_surface(quarter))
+          finer.push_back(quarter);
+      }
+    tiles.swap(finer);
+  }
+
+  Tiling& tiling;
+  double smallest, largest;      ///< distance of any two points, at the end and at the beginning
+  double disk_radius = 0;        ///< at present
+  std::size_t wanted;
+  Random& random;
+  Cloud& cloud;
+  Point_grid grid;
+  std::vector<Tile> tiles;
+  int level = 0;
+};
+
+} // namespace Sample_solids
+
+#endif // SAMPLE_SOLIDS_POISSON_SAMPLER_H
