@@ -50,7 +50,7 @@ public:
   {
     for (const Worker& worker : m_workers)
     {
-      kill(worker.process, SIGKILL);
+      kill(worker.process, SIGTERM);
       waitpid(worker.process, nullptr, 0);
       close(worker.pipe);
     }
@@ -66,7 +66,7 @@ public:
     return m_works.size() - 1;
   }
 
-  /// runs all work. Returns `false` if `is_stopped` was set meanwhile: then all processes are killed.
+  /// runs all work. Returns `false` if `is_stopped` was set meanwhile; the destructor ends what then runs on.
   bool run(const Done& done, const volatile std::sig_atomic_t& is_stopped)
   {
     while (is_stopped == 0 && (m_next < m_works.size() || !m_workers.empty()))

@@ -81,7 +81,7 @@ this stays small and whatever happens, the other cases go on.
 \param cases the cases
 \param options how they are run
 \param number_of_jobs how many at once
-\param is_stopped is looked at all the time; when it is set all processes are killed
+\param is_stopped is looked at all the time; when it is set all processes are ended
 \param progress is called with every row as it comes
 
 \return the rows, in the order in which they came
@@ -98,6 +98,7 @@ inline Run_result run_cases(const std::vector<Benchmark_case>& cases, const Run_
     const Benchmark_case& c = cases[i];
     pool.add([&c, &options, i]
     {
+      end_together_with_program();
       return internal::row_as_text([&] { return run_case(c, options, i); });
     });
     case_of_work.push_back(i);

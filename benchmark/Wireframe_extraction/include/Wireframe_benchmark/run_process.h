@@ -54,6 +54,20 @@ struct Process_result
 
 namespace internal {
 
+// the process that is running, or 0
+inline volatile std::sig_atomic_t& running_process()
+{
+  static volatile std::sig_atomic_t process = 0;
+  return process;
+}
+
+inline void end_with_running_process(int)
+{
+  if (running_process() > 0)
+    kill(-running_process(), SIGKILL);
+  _exit(1);
+}
+
 // Between fork and exec only what is safe there. The process leads a group, so that its children end with it.
 [[noreturn]] inline void become(char* const* arguments, const char* errors, const Process_limits& limits)
 {
@@ -91,6 +105,13 @@ inline double seconds_of(const timeval& time)
 
 } // namespace internal
 
+/// lets an interruption of this process end the program too that it runs just then.
+inline void end_together_with_program()
+{
+  std::signal(SIGINT, internal::end_with_running_process);
+  std::signal(SIGTERM, internal::end_with_running_process);
+}
+
 /*!
 runs a program, and waits until it ends; what exceeds the limits is killed with all its children. Its output is
 dropped, what it writes to standard error goes to the file `errors`.
@@ -114,6 +135,7 @@ inline Process_result run_process(std::vector<std::string> words, const std::str
   if (child == 0)
     internal::become(arguments.data(), errors.c_str(), limits);
   setpgid(child, child);   // here too, as it is not known who runs first
+  internal::running_process() = child;
 
   Process_result result;
   int status = 0;
@@ -136,6 +158,7 @@ inline Process_result run_process(std::vector<std::string> words, const std::str
   }
   result.seconds = seconds();
   kill(-child, SIGKILL);   // whatever it left behind
+  internal::running_process() = 0;
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
   result.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   result.cpu_seconds = internal::seconds_of(usage.ru_utime) + internal::seconds_of(usage.ru_stime);
