@@ -250,7 +250,8 @@ void add_options(CLI::App& app, Arguments& a)
                                    "extract_wireframe beside this program");
   app.add_option("-j,--jobs", a.number_of_jobs, "number of cases that run at once")
     ->capture_default_str()->check(CLI::Range(std::size_t(1), std::size_t(1024)));
-  app.add_option("--fields", a.fields, "run these fields only, separated by commas")->delimiter(',');
+  app.add_option("--fields", a.fields, "run these fields only, separated by commas")
+    ->delimiter(',')->allow_extra_args(false);
   app.add_option("--match", a.match, "run only the cases with this text in FAMILY/NAME");
   app.add_option("--timeout", a.timeout, "seconds after which a run is killed, and the case fails; 0 is never")
     ->capture_default_str()->check(CLI::Range(0., 1e9));

@@ -68,8 +68,33 @@ inline void end_with_running_process(int)
   _exit(1);
 }
 
+// Puts off interruptions while it lives.
+class Interruptions_off
+{
+public:
+  Interruptions_off()
+  {
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGINT);
+    sigaddset(&signals, SIGTERM);
+    sigprocmask(SIG_BLOCK, &signals, &m_before);
+  }
+
+  ~Interruptions_off() { end(); }
+
+  Interruptions_off(const Interruptions_off&) = delete;
+  Interruptions_off& operator=(const Interruptions_off&) = delete;
+
+  void end() { sigprocmask(SIG_SETMASK, &m_before, nullptr); }
+
+private:
+  sigset_t m_before;
+};
+
 // Between fork and exec only what is safe there. The process leads a group, so that its children end with it.
-[[noreturn]] inline void become(char* const* arguments, const char* errors, const Process_limits& limits)
+[[noreturn]] inline void become(char* const* arguments, const char* errors, const Process_limits& limits,
+                                Interruptions_off& interruptions)
 {
   setpgid(0, 0);
 #ifdef __linux__
@@ -78,6 +103,7 @@ inline void end_with_running_process(int)
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
   std::signal(SIGPIPE, SIG_DFL);
+  interruptions.end();
   if (limits.megabytes > 0)
   {
     const rlim_t bytes = static_cast<rlim_t>(limits.megabytes) << 20;
@@ -129,13 +155,17 @@ inline Process_result run_process(std::vector<std::string> words, const std::str
 
   const Clock::time_point begin = Clock::now();
   const auto seconds = [begin] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
-  const pid_t child = fork();
-  if (child < 0)
-    throw std::runtime_error(std::string("no process can be started: ") + std::strerror(errno));
-  if (child == 0)
-    internal::become(arguments.data(), errors.c_str(), limits);
-  setpgid(child, child);   // here too, as it is not known who runs first
-  internal::running_process() = child;
+  pid_t child = 0;
+  {
+    internal::Interruptions_off interruptions;   // until it is known what is to end with this process
+    child = fork();
+    if (child < 0)
+      throw std::runtime_error(std::string("no process can be started: ") + std::strerror(errno));
+    if (child == 0)
+      internal::become(arguments.data(), errors.c_str(), limits, interruptions);
+    setpgid(child, child);   // here too, as it is not known who runs first
+    internal::running_process() = child;
+  }
 
   Process_result result;
   int status = 0;
