@@ -64,7 +64,7 @@ struct Annotated_shape
   std::vector<std::vector<std::size_t> > adjacent_patches;    ///< those that share an edge with a patch
 
   /// moves a point of a triangle to the true surface; empty if the mesh is the surface
-  std::function<Point(std::size_t triangle, const Point& p)> move_to_surface;
+  std::function<Point(const Labelled_mesh& mesh, std::size_t triangle, const Point& p)> move_to_surface;
 
   std::string remarks;                 ///< of who made it, for who uses it
 };
@@ -86,15 +86,15 @@ inline void settle_loops(Solid& edges)
 
 namespace internal {
 
-/// The tiles of a triangle mesh: its triangles, long ones cut, each in a triangular grid. Where the grid of a
-/// thin triangle would have many more tiles than its area needs, the triangle is bisected first.
+/// The tiles of a triangle mesh: its triangles, each in a triangular grid. Where the grid of a thin triangle
+/// would have many more tiles than its area needs, the triangle is cut first.
 class Mesh_tiling
 {
 public:
   struct Tile
   {
     std::uint32_t piece, i, j;
-    bool is_flipped;   ///< whether its corners are (i+1, j+1), (i, j+1), (i+1, j); else (i, j), (i+1, j), (i, j+1)
+    bool is_flipped;   ///< its corners are (i+1, j+1), (i, j+1), (i+1, j) if so, else (i, j), (i+1, j), (i, j+1)
   };
 
   explicit Mesh_tiling(const Labelled_mesh& mesh_) : mesh(mesh_) {}
@@ -104,7 +104,8 @@ public:
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
     {
       const Triangle& t = mesh.triangles[i];
-      add_pieces(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], static_cast<std::uint32_t>(i), side);
+      const std::uint32_t index = static_cast<std::uint32_t>(i);
+      add_pieces(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], index, side);
     }
     double heaviest = 0;
     for (const Piece& piece : pieces)
@@ -175,34 +176,67 @@ private:
     double extent;            ///< largest distance of a corner to the centre
   };
 
+  /// adds a triangle, in parts if it is thin.
   void add_pieces(const Point& a, const Point& b, const Point& c, std::uint32_t triangle, double side)
   {
     const double ab = distance(a, b), bc = distance(b, c), ca = distance(c, a);
-    const double longest = (std::max)({ab, bc, ca}), area = 0.5 * norm(cross(b - a, c - a));
-    if (!(area > 0))
-      return;
-    const double rows = (std::max)(1., std::ceil(longest / side));
-    const double needed = (std::max)(1., area / (0.43 * side * side));
-    if (rows > 1 && rows * rows > 4 * needed)
+    if (ab < bc || ab < ca)   // ab is to be the longest side
     {
-      if (ab == longest)
-        bisect(a, b, c, triangle, side);
-      else if (bc == longest)
-        bisect(b, c, a, triangle, side);
+      if (bc >= ca)
+        add_pieces(b, c, a, triangle, side);
       else
-        bisect(c, a, b, triangle, side);
+        add_pieces(c, a, b, triangle, side);
       return;
     }
+    const double area = 0.5 * norm(cross(b - a, c - a)), height = 2. * area / ab;
+    if (!(area > 0))
+      return;
+    const double rows = std::ceil(ab / side), needed = (std::max)(1., area / (0.43 * side * side));
+    if (rows * rows <= 2.5 * needed)
+    {
+      add_piece(a, b, c, triangle, side);
+      return;
+    }
+    const double foot = dot(c - a, b - a) / ab;   // of the height, on ab
+    if (foot > height && ab - foot > height)
+    {
+      const Point d = a + (foot / ab) * (b - a);
+      add_slices(a, d, c, triangle, side);
+      add_slices(b, d, c, triangle, side);
+    }
+    else if (foot < 0.5 * ab)
+      add_slices(b, a, c, triangle, side);
+    else
+      add_slices(a, b, c, triangle, side);
+  }
+
+  /// cuts a needle across. Bisecting its longest side would also halve its width, to no use.
+  void add_slices(const Point& tip, const Point& a, const Point& b, std::uint32_t triangle, double side)
+  {
+    const double length = (std::max)(distance(tip, a), distance(tip, b));
+    const double n = (std::max)(1., std::ceil(length / (std::max)(side, distance(a, b))));
+    Point a_last = tip, b_last = tip;
+    for (double i = 1; i <= n; ++i)
+    {
+      const Point a_next = tip + (i / n) * (a - tip), b_next = tip + (i / n) * (b - tip);
+      add_piece(a_last, a_next, b_next, triangle, side);
+      if (i > 1)
+        add_piece(a_last, b_last, b_next, triangle, side);
+      a_last = a_next;
+      b_last = b_next;
+    }
+  }
+
+  void add_piece(const Point& a, const Point& b, const Point& c, std::uint32_t triangle, double side)
+  {
+    const double area = 0.5 * norm(cross(b - a, c - a));
+    if (!(area > 0))
+      return;
+    const double longest = (std::max)({distance(a, b), distance(b, c), distance(c, a)});
+    const double rows = (std::max)(1., std::ceil(longest / side));
     const Point center = (1. / 3.) * (a + b + c);
     const double extent = (std::max)({distance(a, center), distance(b, center), distance(c, center)});
     pieces.push_back({a, b - a, c - a, triangle, rows, area / (rows * rows), extent});
-  }
-
-  void bisect(const Point& a, const Point& b, const Point& c, std::uint32_t triangle, double side)
-  {
-    const Point m = 0.5 * (a + b);
-    add_pieces(a, m, c, triangle, side);
-    add_pieces(m, b, c, triangle, side);
   }
 
   Point at(const Tile& tile, double u, double v) const
@@ -231,8 +265,8 @@ struct Case_sampling
   std::uint64_t seed = 1;
 };
 
-/// gives each point of a cloud its distance to the nearest sharp curve of its own patch, and of those adjacent
-/// to it, or to all.
+/// gives each point of a cloud its distance to the nearest sharp curve of its own patch and of those adjacent to
+/// it, or to the nearest of all.
 inline void annotate(const Annotated_shape& shape, const Case_sampling& options, Cloud& cloud)
 {
   const bool is_all = options.scope == Field_scope::ALL;
@@ -274,7 +308,7 @@ inline Cloud sample_exactly(const Annotated_shape& shape, const Case_sampling& o
   for (std::size_t i = 0; i < cloud.points.size(); ++i)
   {
     if (shape.move_to_surface)
-      cloud.points[i] = shape.move_to_surface(cloud.faces[i], cloud.points[i]);
+      cloud.points[i] = shape.move_to_surface(shape.mesh, cloud.faces[i], cloud.points[i]);
     cloud.faces[i] = shape.mesh.patches[cloud.faces[i]];
   }
   annotate(shape, options, cloud);

@@ -59,7 +59,8 @@ public:
   /// says what is to be done, once the options are known
   typedef std::function<std::vector<Case_job>()> Job_maker;
 
-  Case_program(const std::string& name_, const std::string& description) : name(name_), app(description, name_)
+  Case_program(const std::string& name_, const std::string& description)
+    : name(name_), app(description, name_)
   {
     app.set_version_flag("--version", name + " " + WIREFRAME_EXTRACTION_VERSION_STRING);
     app.add_option("-o,--output", output, "directory in which each shape gets a directory of its own");
@@ -67,26 +68,30 @@ public:
     app.add_option("--batch", batch, "make a case of every shape in this directory and those below");
     app.add_option("--r,--sampling-distance", rule.sampling_distance, "sampling distance, after scaling")
       ->capture_default_str()->check(positive());
-    app.add_option("--quantile", rule.quantile, "shapes are scaled by this quantile of the lengths of their sharp "
-                                                "curves; 0 is the shortest curve, 1 the longest")
+    app.add_option("--quantile", rule.quantile,
+                   "shapes are scaled by this quantile of the lengths of their sharp curves; 0 is the shortest "
+                   "curve, 1 the longest")
       ->capture_default_str()->check(CLI::Range(0., 1.));
-    app.add_option("--quantile-length", rule.quantile_length, "how long the curves of this quantile become, in "
-                                                              "sampling distances")
+    app.add_option("--quantile-length", rule.quantile_length,
+                   "how long the curves of this quantile become, in sampling distances")
       ->capture_default_str()->check(positive());
     app.add_option("--max-points", rule.max_points, "most points of a cloud")
       ->capture_default_str()->check(CLI::Range(std::size_t(50), std::size_t(100000000)));
-    app.add_option("--too-many", too_many, "what becomes of shapes that need more points: they are made smaller, "
-                                           "so that their curves become shorter, or left out")
+    app.add_option("--too-many", too_many,
+                   "what becomes of shapes that need more points: they are made smaller, so that their curves "
+                   "become shorter, or left out")
       ->capture_default_str()->check(CLI::IsMember({"coarsen", "skip"}));
     app.add_option("--truncate", sampling.truncation, "upper bound of the field, in sampling distances")
       ->capture_default_str()->check(positive());
-    app.add_option("--field-scope", scope, "which sharp curves count: those of the point's own surface and the "
-                                           "surfaces adjacent to it, or all")
+    app.add_option("--field-scope", scope,
+                   "which sharp curves count: those of the point's own surface and the surfaces adjacent to it, "
+                   "or all")
       ->capture_default_str()->check(CLI::IsMember({"adjacent", "all"}));
     app.add_option("--fields", fields, "the fields, separated by commas")
       ->capture_default_str()->delimiter(',')->check(CLI::IsMember({"exact", "def", "noisy"}));
-    app.add_option("--position-noise", position_noise, "by how much the noisy field's points are moved: the "
-                                                       "standard deviation per coordinate, in sampling distances")
+    app.add_option("--position-noise", position_noise,
+                   "by how much the noisy field's points are moved: the standard deviation per coordinate, in "
+                   "sampling distances")
       ->capture_default_str()->check(CLI::NonNegativeNumber);
     app.add_option("--seed", sampling.seed, "of the random numbers, a whole number")->capture_default_str();
     app.add_flag("--force", is_forced, "overwrite cases that exist");
@@ -196,8 +201,8 @@ private:
     {
       if (is_existing_skipped)
         throw Case_skipped("it exists");
-      throw Case_error(USAGE_ERROR, "'" + directory.string() + "' exists; --force overwrites it, --skip-existing "
-                                    "leaves it out");
+      throw Case_error(USAGE_ERROR, "'" + directory.string() + "' exists; --force overwrites it, "
+                                    "--skip-existing leaves it out");
     }
     const Annotated_shape shape = make_shape(job, rule);
     std::error_code ignored;
@@ -208,15 +213,16 @@ private:
     write_case(directory, job.name, shape);
   }
 
-  void write_case(const std::filesystem::path& directory, const std::string& case_of, const Annotated_shape& shape)
+  void write_case(const std::filesystem::path& directory, const std::string& case_of,
+                  const Annotated_shape& shape)
   {
     Cloud exact = sample_exactly(shape, sampling);
     const double r = sampling.sampling_distance;
     const Ground_truth truth = ground_truth(shape.edges, r);
     std::ostringstream text;
     text << case_of << ": " << exact.points.size() << " points, sampling distance " << r << ", "
-         << truth.curves.size() << " curves (" << truth.segments.size() << " segments), " << truth.corners.size()
-         << " corners";
+         << truth.curves.size() << " curves (" << truth.segments.size() << " segments), "
+         << truth.corners.size() << " corners";
     if (!shape.remarks.empty())
       text << "; " << shape.remarks;
     std::cout << text.str() << std::endl;
@@ -273,7 +279,8 @@ private:
 };
 
 /// returns the files below a directory whose names end in one of the given ways, sorted.
-inline std::vector<std::string> files_below(const std::string& directory, const std::vector<std::string>& endings)
+inline std::vector<std::string> files_below(const std::string& directory,
+                                            const std::vector<std::string>& endings)
 {
   namespace fs = std::filesystem;
   std::vector<std::string> result;

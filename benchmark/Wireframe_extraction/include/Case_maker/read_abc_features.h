@@ -80,14 +80,16 @@ public:
       value(mark, text);
   }
 
-  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override
   {
     frames.push_back(Frame{false, false, ""});
   }
 
   void OnSequenceEnd() override { close(); }
 
-  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t,
+                  YAML::EmitterStyle::value) override
   {
     frames.push_back(Frame{true, false, ""});
     if (frames.size() != 3 || !frames[0].is_map || frames[1].is_map)
@@ -199,11 +201,12 @@ inline Abc_features read_abc_features(const std::string& path)
                     "this is not YAML: " + error.msg + "; is the file complete?");
   }
   if (result.surfaces.empty())
-    throw bad_input("'" + path + "' has no list 'surfaces' of maps; is it a feature file of the ABC dataset?");
+    throw bad_input("'" + path + "' has no list 'surfaces' of maps; is it a feature file of the ABC "
+                    "dataset?");
   for (std::size_t i = 0; i < result.curves.size(); ++i)
     if (!result.curves[i].has_sharp)
-      throw bad_input(path, result.curves[i].line, "curve " + std::to_string(i) + " does not say whether it is "
-                      "'sharp'");
+      throw bad_input(path, result.curves[i].line, "curve " + std::to_string(i)
+                      + " does not say whether it is 'sharp'");
   return result;
 }
 

@@ -30,8 +30,8 @@ namespace Case_maker {
 
 namespace internal {
 
-/// Joins a mesh of the ABC dataset and its features. Curves are the polylines of their vertices, as the points
-/// of the cloud are on the triangles: so the field is exactly zero where the cloud has its edge.
+/// Joins a mesh of the ABC dataset and its features. Curves are the polylines of their vertices, as the points of
+/// the cloud are on the triangles: so the field is exactly zero where the cloud has its edge.
 class Abc_shape_builder
 {
 public:
@@ -77,8 +77,8 @@ private:
       for (std::uint32_t face : features.surfaces[i].faces)
       {
         if (face >= patches.size())
-          fail(features.surfaces[i].line, "surface " + std::to_string(i) + " has the face " + std::to_string(face)
-               + ", but '" + mesh_path + "' has " + std::to_string(patches.size())
+          fail(features.surfaces[i].line, "surface " + std::to_string(i) + " has the face "
+               + std::to_string(face) + ", but '" + mesh_path + "' has " + std::to_string(patches.size())
                + " faces, counted from 0; do the two files belong together?");
         if (patches[face] != none && patches[face] != i)
           fail(features.surfaces[i].line, "face " + std::to_string(face) + " belongs to the surfaces "

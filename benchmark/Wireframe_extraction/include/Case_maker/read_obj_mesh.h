@@ -115,15 +115,15 @@ private:
       if (index < 0)
         index += static_cast<long long>(vertices) + 1;
       if (index < 1 || index > 0xffffffffll)
-        throw bad_input(path, line, "a face names a vertex that cannot exist; the first vertex has the number 1");
+        throw bad_input(path, line, "a face names a vertex that cannot exist; the first has the number 1");
       if (n < 3)
         result[n] = static_cast<std::uint32_t>(index - 1);
       for (p = end; !is_blank(*p) && !is_end(*p);)
         ++p;
     }
     if (n != 3)
-      throw bad_input(path, line, "the face has " + std::to_string(n) + " vertices; triangulate the mesh, without "
-                      "changing the order of its faces");
+      throw bad_input(path, line, "the face has " + std::to_string(n) + " vertices; triangulate the mesh, "
+                      "without changing the order of its faces");
     return result;
   }
 

@@ -51,7 +51,7 @@ inline double sampling_distance_for(double area, std::size_t n)
 /// - `is_on_surface(tile, p)`;
 /// - `center(tile)`, `extent(tile)`: an upper bound of the distance of a tile's points to its centre;
 /// - `is_off_surface(tile)`: whether it surely lies off the surface;
-/// - `halve()`: the next level begins; `quarter(tile, k)`: one of four parts on it of a tile of the level before;
+/// - `halve()`: begins the next level; `quarter(tile, k)`: one of four parts of a tile of the level before;
 /// - `face(tile)`: what `Cloud::faces` tells of its points.
 template <class Tiling>
 class Poisson_sampler
