@@ -129,9 +129,9 @@ public:
   bool throw_dart(const Tile& tile, Random& random, Point& p) const
   {
     const Piece& piece = pieces[tile.piece];
-    double u = random.uniform(), v = random.uniform();
     if (random.uniform() > piece.weight)
       return false;
+    double u = random.uniform(), v = random.uniform();
     if (u + v > 1)
     {
       u = 1. - u;

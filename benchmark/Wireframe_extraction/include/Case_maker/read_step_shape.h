@@ -63,7 +63,7 @@ namespace Case_maker {
 
 struct Step_options
 {
-  double sharp_angle = 15;   ///< degrees between the normals of two faces from which on their edge is sharp
+  double sharp_angle = 20;   ///< degrees between the normals of two faces from which on their edge is sharp
   double sewing = 0;         ///< edges closer than this become one, in the unit of the file; 0: none
 };
 
