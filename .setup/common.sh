@@ -4,6 +4,7 @@
 
 packages=(g++ make cmake python3 libcgal-dev libeigen3-dev libceres-dev libtbb-dev nlohmann-json3-dev libcli11-dev)
 # What only the makers of cases from foreign files need, and with them the tests.
+# shellcheck disable=SC2034
 test_packages=(libyaml-cpp-dev libocct-data-exchange-dev)
 packages_are_checked=yes
 
