@@ -19,8 +19,8 @@
 #include <vector>
 
 // the build tells the version of the package
-#ifndef WIREFRAME_EXTRACTION_VERSION
-#define WIREFRAME_EXTRACTION_VERSION "0.1.0"
+#ifndef WIREFRAME_EXTRACTION_VERSION_STRING
+#define WIREFRAME_EXTRACTION_VERSION_STRING "unknown"
 #endif
 
 namespace {
@@ -223,7 +223,7 @@ std::string check_seed(const std::string& text)
 
 void add_options(CLI::App& app, Arguments& a)
 {
-  app.set_version_flag("--version", std::string("make_cloud ") + WIREFRAME_EXTRACTION_VERSION);
+  app.set_version_flag("--version", std::string("make_cloud ") + WIREFRAME_EXTRACTION_VERSION_STRING);
   app.add_option("shape", a.shape, "the solid: " + names_of_solids());
   app.add_flag("--list", a.is_list, "list the solids");
   app.add_option("-o,--output", a.output,
