@@ -247,6 +247,7 @@ private:
         .skeleton_distance(options.skeleton_distance)
         .support_distance(options.support_distance)
         .fitting_radius(options.fitting_radius)
+        .use_creases(options.use_creases)
         .corner_measure(options.corner_measure)
         .corner_sampling_ratio(options.corner_sampling_ratio)
         .corner_radius(options.corner_radius)

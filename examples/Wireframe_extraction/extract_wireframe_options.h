@@ -198,6 +198,8 @@ private:
                "Points with a smaller distance support the fits, in r", group);
     add_number("--fitting-radius", extraction.fitting_radius, 0., infinity, false,
                "Radius of the balls in which curves are fitted to the field, in r", group);
+    add_boolean("--use-creases", extraction.use_creases,
+                "Whether creases of the surface correct the field", group);
   }
 
   void add_corners()

@@ -8,6 +8,7 @@
 #include <CGAL/Wireframe_extraction/detect_corners.h>
 #include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
 #include <CGAL/Wireframe_extraction/fit_curves.h>
+#include <CGAL/Wireframe_extraction/refine_field.h>
 #include <CGAL/Wireframe_extraction/segment_curves.h>
 #include <CGAL/Wireframe_extraction/select_skeleton.h>
 
@@ -40,6 +41,7 @@ int main(int argc, char** argv)
   // 2. The points near the sharp curves, moved onto lines that are fitted to the field around them.
   auto skeleton = stages::select_skeleton(cloud, parameters::sampling_distance(r));
   stages::contract_skeleton(skeleton);
+  stages::refine_field(skeleton);
   std::cout << "skeleton: " << skeleton.size() << " of " << cloud.size() << " points, noise of the field "
             << skeleton.noise() << std::endl;
 

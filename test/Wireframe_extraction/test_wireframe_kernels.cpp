@@ -366,7 +366,7 @@ void test_defaults_are_defaults()
     WP::skeleton_distance(1.5).support_distance(3.).fitting_radius(4.)
       .corner_measure(WE::Corner_measure::FIELD_RESIDUAL).connection_radius(3.).connection_angle(30.)
       .use_tangents(true).graph_method(WE::Graph_method::TRACED).corner_reach(5.).maximum_gap(18.)
-      .smooth_angle(20.).minimum_evidence(2.).use_robust_loss(true).move_corners(true).adapt_knots(true)
+      .smooth_angle(20.).minimum_evidence(2.).use_creases(true).use_robust_loss(true).move_corners(true).adapt_knots(true)
       .number_of_rounds(3).skip_invalid(false));
   assert(are_equal(expected(), wireframe));
   // integers and floats are numbers, too

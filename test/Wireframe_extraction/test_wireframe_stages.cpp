@@ -5,6 +5,8 @@
 #include <CGAL/Wireframe_extraction/detect_corners.h>
 #include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
 #include <CGAL/Wireframe_extraction/fit_curves.h>
+#include <CGAL/extract_wireframe.h>
+#include <CGAL/Wireframe_extraction/refine_field.h>
 #include <CGAL/Wireframe_extraction/segment_curves.h>
 #include <CGAL/Wireframe_extraction/select_skeleton.h>
 
@@ -373,6 +375,102 @@ void test_noise_level()
   Skeleton empty;
   WE::contract_skeleton(empty);   // is no error
   assert(empty.is_empty() && !empty.is_contracted());
+}
+
+// ---- the refinement
+
+// The ridge of a roof in a field with noise, which does not see it for 5 < x < 15.
+Cloud wrong_roof()
+{
+  Random random(7);
+  Cloud cloud;
+  for (double i = -40; i < 40; ++i)
+    for (double j = -14; j < 14; ++j) {
+      const double x = i + random.uniform(), y = j + random.uniform();
+      double d = std::sqrt(1.49) * std::abs(y) * (1. + 0.1 * random.normal()) + 0.2 * random.normal();
+      if (x > 5 && x < 15)
+        d += 6.;
+      cloud.emplace_back(Point(r * x, r * y, -0.7 * r * std::abs(y)), r * std::abs(d));
+    }
+  return cloud;
+}
+
+std::size_t number_of_skeleton_points(const Skeleton& skeleton, double x0, double x1, double y0, double y1)
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < skeleton.size(); ++i) {
+    const Point& p = skeleton.point(i);
+    count += p.x() > r * x0 && p.x() < r * x1 && p.y() > r * y0 && p.y() < r * y1;
+  }
+  return count;
+}
+
+double typical_error(const Skeleton& skeleton)
+{
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < skeleton.size(); ++i) {
+    const double y = skeleton.point(i).y();
+    errors.push_back(std::abs(skeleton.distance(i) - std::sqrt(1.49) * std::abs(y)) / r);
+  }
+  return median(errors);
+}
+
+void check_ends(const Wireframe& wireframe);
+
+void test_refinement()
+{
+  Skeleton skeleton = contracted(wrong_roof());
+  assert(typical_error(skeleton) > 0.1);
+  assert(skeleton.noise() > 0.1 * r);
+  assert(number_of_skeleton_points(skeleton, 6, 14, -2, 2) < 5);
+  const double noise = skeleton.noise();
+  WE::refine_field(skeleton);
+  assert(skeleton.is_contracted());
+  assert(typical_error(skeleton) < 0.02);
+  assert(skeleton.noise() < 0.2 * noise);
+  // the ridge is found where the field did not see it
+  assert(number_of_skeleton_points(skeleton, 6, 14, -2, 2) > 12);
+  for (std::size_t i = 1; i < skeleton.support_size(); ++i)
+    assert(skeleton.distance(i - 1) <= skeleton.distance(i));
+}
+
+void test_refinement_that_changes_nothing()
+{
+  // a field that is exact
+  Skeleton skeleton = contracted(line_cloud());
+  const std::size_t size = skeleton.size();
+  const double first = skeleton.distance(0), noise = skeleton.noise();
+  WE::refine_field(skeleton);
+  assert(skeleton.size() == size && skeleton.distance(0) == first && skeleton.noise() == noise);
+  // nothing
+  Skeleton empty;
+  WE::refine_field(empty);
+  assert(empty.is_empty());
+}
+
+// the same by the one call, and without creases for comparison
+void test_refinement_within_extraction()
+{
+  const Cloud cloud = wrong_roof();
+  const auto length_in_gap = [](const Wireframe& wireframe) {
+    std::size_t covered = 0;
+    for (double x = 6.; x < 14.; x += 0.5) {
+      double nearest = 1e9;
+      for (const Wireframe::Curve& curve : wireframe.curves) {
+        std::vector<Point> samples;
+        curve.spline.sample_by_count(400, std::back_inserter(samples));
+        for (const Point& p : samples)
+          nearest = (std::min)(nearest, distance(p, Point(r * x, 0., 0.)));
+      }
+      covered += nearest < 0.2 * r;
+    }
+    return covered;
+  };
+  const Wireframe with = CGAL::extract_wireframe(cloud, WP::sampling_distance(r));
+  assert(with.curves.size() == 1 && length_in_gap(with) == 16);
+  check_ends(with);
+  // without, that is a guess
+  assert(!CGAL::extract_wireframe(cloud, WP::sampling_distance(r).use_creases(false)).is_empty());
 }
 
 // ---- corners
@@ -890,6 +988,9 @@ int main()
   test_contraction_of_a_line();
   test_contraction_of_a_circle();
   test_noise_level();
+  test_refinement();
+  test_refinement_that_changes_nothing();
+  test_refinement_within_extraction();
   test_corners_by_residual();
   test_variance_ratio();
   test_corners_by_variance();

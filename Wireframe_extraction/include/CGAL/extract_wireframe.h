@@ -19,6 +19,7 @@
 #include <CGAL/Wireframe_extraction/detect_corners.h>
 #include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
 #include <CGAL/Wireframe_extraction/fit_curves.h>
+#include <CGAL/Wireframe_extraction/refine_field.h>
 #include <CGAL/Wireframe_extraction/segment_curves.h>
 #include <CGAL/Wireframe_extraction/select_skeleton.h>
 
@@ -206,7 +207,7 @@ public:
 extracts the parametric wireframe of a shape from a dense point cloud of its surface, in which every point carries an
 estimate of its distance to the nearest sharp feature curve.
 
-The function chains `estimate_sampling_distance()`, `select_skeleton()`, `contract_skeleton()`, `detect_corners()`,
+The function chains `estimate_sampling_distance()`, `select_skeleton()`, `contract_skeleton()`, `refine_field()`, `detect_corners()`,
 `segment_curves()`, `build_topological_graph()` and `fit_curves()`; every named parameter of these functions can be
 given. The result does not depend on the order of the points or the number of threads, and moves and scales with the
 cloud, up to rounding.
@@ -237,6 +238,11 @@ cloud, up to rounding.
                           are an error}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{use_creases}
+    \cgalParamDescription{whether `refine_field()` corrects the field by the surface}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{extraction_report}
     \cgalParamDescription{a reference to what shall tell how the extraction went: `std::ref(report)`}
@@ -340,7 +346,9 @@ extract_wireframe(const PointRange& points, const NamedParameters& np = CGAL::pa
   visitor.skeleton_selected(skeleton);
   cloud = WE::internal::Cloud_values();
 
-  if (!runner.run("contraction", 0.5, [&] { WE::contract_skeleton(skeleton, np); }))
+  if (!runner.run("contraction", 0.35, [&] { WE::contract_skeleton(skeleton, np); }))
+    return give_up(Report::Status::CANCELLED);
+  if (options.use_creases && !runner.run("refinement", 0.5, [&] { WE::refine_field(skeleton, np); }))
     return give_up(Report::Status::CANCELLED);
   report.noise = skeleton.contraction().noise * unit;
   visitor.skeleton_contracted(skeleton);

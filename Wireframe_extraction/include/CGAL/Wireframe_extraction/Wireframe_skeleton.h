@@ -95,12 +95,21 @@ public:
   /// \cond SKIP_IN_MANUAL
   typedef Wireframe_extraction::internal::Vector internal_Vector;
 
-  Wireframe_skeleton(std::shared_ptr<const Wireframe_extraction::internal::Field_band> band, double unit,
+  Wireframe_skeleton(std::shared_ptr<const Wireframe_extraction::internal::Field_band> band,
+                     std::shared_ptr<const Wireframe_extraction::internal::Field_band> surroundings, double unit,
                      const internal_Vector& origin, std::size_t number_of_duplicates, const GeomTraits& traits)
-    : m_band(band), m_unit(unit), m_origin(origin), m_number_of_duplicates(number_of_duplicates), m_traits(traits)
+    : m_band(band), m_surroundings(surroundings), m_unit(unit), m_origin(origin), m_number_of_duplicates(number_of_duplicates), m_traits(traits)
   {}
 
+  // the same skeleton over other distances
+  Wireframe_skeleton with_band(std::shared_ptr<const Wireframe_extraction::internal::Field_band> band) const
+  {
+    return Wireframe_skeleton(band, m_surroundings, m_unit, m_origin, m_number_of_duplicates, m_traits);
+  }
+
   const Wireframe_extraction::internal::Field_band& band() const { return *m_band; }
+  // the points around the skeleton, whatever their distances
+  const Wireframe_extraction::internal::Field_band& surroundings() const { return *m_surroundings; }
   const Wireframe_extraction::internal::Contraction& contraction() const
   {
     CGAL_precondition_msg(is_contracted(), "call contract_skeleton() first");
@@ -127,7 +136,7 @@ public:
   /// \endcond
 
 private:
-  std::shared_ptr<const Wireframe_extraction::internal::Field_band> m_band;
+  std::shared_ptr<const Wireframe_extraction::internal::Field_band> m_band, m_surroundings;
   std::shared_ptr<const Wireframe_extraction::internal::Contraction> m_contraction;
   double m_unit = 1.;
   internal_Vector m_origin = internal_Vector::Zero();

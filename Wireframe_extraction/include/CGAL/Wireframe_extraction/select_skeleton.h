@@ -18,8 +18,11 @@
 #include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <memory>
 #include <tuple>
+#include <unordered_set>
 #include <vector>
 
 namespace CGAL {
@@ -47,6 +50,10 @@ inline std::size_t sort_band(Field_band& band)
     sorted.points.push_back(positions[k]);
     sorted.distances.push_back(band.distances[order[k]]);
     sorted.indices.push_back(band.indices[order[k]]);
+    if (!band.is_on_crease.empty())
+      sorted.is_on_crease.push_back(band.is_on_crease[order[k]]);
+    if (!band.deviations.empty())
+      sorted.deviations.push_back(band.deviations[order[k]]);
   }
   band = std::move(sorted);
   return order.size() - band.size();
@@ -62,10 +69,59 @@ struct Cloud_values
   Cloud_scale scale() const { return cloud_scale(positions, distances, indices_spread_by_distance(distances, positions)); }
 };
 
+// The places within about `reach` of some positions, cell by cell: from `reach` at least to three times as much.
+class Neighborhood_cells
+{
+  double m_cell;
+  std::unordered_set<std::uint64_t> m_cells;
+
+  std::uint64_t key(const Vector& p, int dx, int dy, int dz) const
+  {
+    const auto index = [&](double x, int d) {
+      return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x / m_cell)) + d) & 0x1fffff;
+    };
+    return index(p.x(), dx) << 42 | index(p.y(), dy) << 21 | index(p.z(), dz);
+  }
+
+public:
+  explicit Neighborhood_cells(double reach) : m_cell(reach) {}
+
+  void add(const Vector& p)
+  {
+    for (int dx = -1; dx <= 1; ++dx)
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dz = -1; dz <= 1; ++dz)
+          m_cells.insert(key(p, dx, dy, dz));
+  }
+
+  bool holds(const Vector& p) const { return m_cells.count(key(p, 0, 0, 0)) > 0; }
+};
+
+// The points around the skeleton whatever their distances say: what the surface looks like there.
+inline void select_surroundings(const Cloud_values& cloud, double unit, const Vector& origin, double reach,
+                                const Field_band& band, Field_band& surroundings)
+{
+  Neighborhood_cells cells(reach);
+  for (std::size_t i = 0; i < band.skeleton_size; ++i)
+    cells.add(band.points[i]);
+  for (std::size_t i = 0; i < cloud.positions.size(); ++i) {
+    const Vector p = (cloud.positions[i] - origin) / unit;
+    if (!cells.holds(p))
+      continue;
+    surroundings.points.push_back(p);
+    surroundings.distances.push_back(cloud.distances[i] / unit);
+    surroundings.indices.push_back(cloud.indices[i]);
+  }
+  sort_band(surroundings);
+  surroundings.skeleton_size = band.skeleton_size;
+  surroundings.search.build(surroundings.points, surroundings.size());
+}
+
 template <class GeomTraits>
 Wireframe_skeleton<GeomTraits> select_skeleton(const Cloud_values& cloud, double unit,
                                                const Extraction_options& options, const GeomTraits& traits)
 {
+  auto surroundings = std::make_shared<Field_band>();
   auto band = std::make_shared<Field_band>();
   Vector origin = Vector::Zero();
   std::size_t duplicates = 0;
@@ -88,8 +144,9 @@ Wireframe_skeleton<GeomTraits> select_skeleton(const Cloud_values& cloud, double
     band->skeleton_size = std::lower_bound(band->distances.begin(), band->distances.end(),
                                            options.skeleton_distance) - band->distances.begin();
     band->search.build(band->points, band->size());
+    select_surroundings(cloud, unit, origin, 2. * options.fitting_radius, *band, *surroundings);
   }
-  return Wireframe_skeleton<GeomTraits>(band, unit, origin, duplicates, traits);
+  return Wireframe_skeleton<GeomTraits>(band, surroundings, unit, origin, duplicates, traits);
 }
 
 } // namespace internal

@@ -12,7 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_CONTRACTION_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CONTRACTION_H
 
-#include <CGAL/Wireframe_extraction/internal/Local_curve.h>
+#include <CGAL/Wireframe_extraction/internal/Curve_tracer.h>
 #include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
 
 
@@ -47,6 +47,7 @@ struct Contraction
   std::vector<Local_curve> curves;
   std::vector<double> residuals;   // of the field close to the foot, in sampling distances
   double noise = 0.;               // the median of the residuals
+  std::vector<Traced_curve> creases;   // curves along creases of the surface, where these were looked for
 };
 
 inline Contraction contract(const Field_band& band, double radius)

@@ -206,6 +206,45 @@ public:
     dissolve_smooth_joints();
   }
 
+  // Cuts free ends back to where the surface has a crease: is_on_crease(position). Curves without any are left alone if
+  // they are longer than `longest`.
+  template <class Is_on_crease>
+  void trim_free_ends(const Is_on_crease& is_on_crease, double longest)
+  {
+    for (const std::vector<Curve_end>& ends : m_network.incidences()) {
+      if (ends.size() != 1)
+        continue;
+      Network_curve& curve = m_network.curves[ends[0].first];
+      if (!curve.is_alive)
+        continue;
+      std::vector<Vector> points = curve.points;
+      if (ends[0].second == 0)
+        std::reverse(points.begin(), points.end());
+      std::size_t last = points.size();
+      int run = 0;
+      while (last > 0 && run < 3)
+        run = is_on_crease(points[--last]) ? run + 1 : 0;
+      last = (std::min)(points.size() - 1, last + 2);
+      if (run < 3) {
+        curve.is_alive = polyline_length(curve.points) > longest;
+        continue;
+      }
+      if (last + 1 == points.size())
+        continue;
+      points.resize(last + 1);
+      if (points.size() < 2 || polyline_length(points) < 3.) {
+        curve.is_alive = false;
+        continue;
+      }
+      if (ends[0].second == 0)
+        std::reverse(points.begin(), points.end());
+      curve.points = points;
+      set_tip(curve, ends[0].second);
+      m_network.nodes[curve.nodes[ends[0].second]] = curve.tips[ends[0].second].point;
+    }
+    dissolve_smooth_joints();
+  }
+
   // removes short pieces that nothing but themselves speaks for
   void drop_spurs(double free_length, double dangling_length)
   {

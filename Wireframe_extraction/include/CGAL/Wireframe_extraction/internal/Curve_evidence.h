@@ -30,13 +30,14 @@ namespace internal {
 class Curve_evidence
 {
   const Field_band& m_band;
-  double m_tolerance;
+  double m_noise, m_least_tolerance;
 
   static constexpr double farthest = 4.;
 
-  double loss(double residual) const
+  double loss(std::size_t i, double distance) const
   {
-    const double ratio = residual / m_tolerance;
+    const double tolerance = (std::max)(m_least_tolerance, 2.5 * m_band.deviation(i, m_noise));
+    const double ratio = (m_band.distances[i] - distance) / tolerance;
     return (std::min)(1., ratio * ratio);
   }
 
@@ -66,7 +67,9 @@ public:
     std::vector<std::vector<std::size_t> > neighbors;   // curves that would take over its points
   };
 
-  Curve_evidence(const Field_band& band, double tolerance) : m_band(band), m_tolerance(tolerance) {}
+  Curve_evidence(const Field_band& band, double noise, double least_tolerance = 0.2)
+    : m_band(band), m_noise(noise), m_least_tolerance(least_tolerance)
+  {}
 
   // polylines[c] may be empty: no such curve
   Scores scores(const std::vector<const std::vector<Vector>*>& polylines) const
@@ -94,8 +97,8 @@ public:
       });
       if (first == Segment_grid::no_curve)
         continue;
-      result.gains[first] += loss(m_band.distances[i] - d2) - loss(m_band.distances[i] - d1);
-      if (second != Segment_grid::no_curve && loss(m_band.distances[i] - d2) < 1.)
+      result.gains[first] += loss(i, d2) - loss(i, d1);
+      if (second != Segment_grid::no_curve && loss(i, d2) < 1.)
         result.neighbors[first].push_back(second);
     }
     return result;
@@ -128,8 +131,8 @@ public:
   {
     double gain = 0.;
     visit_around(polyline, [&](std::size_t i, double distance) {
-      gain += loss(m_band.distances[i] - others[i])
-        - loss(m_band.distances[i] - (std::min)(others[i], distance));
+      gain += loss(i, others[i])
+        - loss(i, (std::min)(others[i], distance));
     });
     return gain;
   }
@@ -147,7 +150,7 @@ public:
     for (std::size_t i : ball) {
       const Segment_grid::Hit hit = grid.nearest(m_band.points[i], farthest,
                                                  [](const Segment_grid::Hit&) { return true; });
-      sum += loss(m_band.distances[i] - (hit.is_valid() ? hit.distance : farthest));
+      sum += loss(i, (hit.is_valid() ? hit.distance : farthest));
     }
     return sum;
   }

@@ -63,6 +63,20 @@ inline double squared_distance_to_segment(const Vector& p, const Vector& a, cons
   return (p - a - (std::min)(1., (std::max)(0., s)) * direction).squaredNorm();
 }
 
+struct Tracing_options
+{
+  double noise = 0.1;        // typical residual of the field near curves
+  double step = 0.5;
+  double radius = 4.;        // of the balls the local fits use
+  double maximum_gap = 3.;   // bridged without any evidence
+  double maximum_turn = 0.6; // per step, in radians
+
+  double tolerance() const { return tolerance(noise); }
+  static double tolerance(double deviation) { return (std::max)(0.2, 2.5 * deviation); }
+  double maximum_doubt() const { return 0.25 + 4. * noise; }
+  double fit_scale() const { return (std::max)(0.15, 2. * noise); }
+};
+
 // What the field says of curves: which of the band's points agree with them.
 class Field_explanation
 {
@@ -96,23 +110,10 @@ public:
   double distance(std::size_t i) const { return m_distances[i]; }
   const std::vector<double>& distances() const { return m_distances; }
 
-  bool is_explained(std::size_t i, double tolerance) const
+  bool is_explained(std::size_t i, double noise) const
   {
-    return m_band.distances[i] > m_distances[i] - tolerance;
+    return m_band.distances[i] > m_distances[i] - Tracing_options::tolerance(m_band.deviation(i, noise));
   }
-};
-
-struct Tracing_options
-{
-  double noise = 0.1;        // typical residual of the field near curves
-  double step = 0.5;
-  double radius = 4.;        // of the balls the local fits use
-  double maximum_gap = 3.;   // bridged without any evidence
-  double maximum_turn = 0.6; // per step, in radians
-
-  double tolerance() const { return (std::max)(0.2, 2.5 * noise); }
-  double maximum_doubt() const { return 0.25 + 4. * noise; }
-  double fit_scale() const { return (std::max)(0.15, 2. * noise); }
 };
 
 // Follows a curve from a local fit in both directions, step by step, as long as the field agrees.
@@ -125,6 +126,7 @@ class Curve_tracer
   std::vector<std::size_t> m_ball;
   Segment_grid m_traced;
   std::size_t m_number_of_traced = 0;
+  std::size_t m_extended = Segment_grid::no_curve;   // the curve that is being extended
 
   static constexpr std::size_t trail = 10;   // points of the path that are no news to the front
 
@@ -159,11 +161,37 @@ public:
     return curve;
   }
 
+  // Follows the field beyond the ends of an open curve that was kept as number `index`.
+  void extend(Traced_curve& curve, std::size_t index)
+  {
+    m_extended = index;
+    for (int e = 0; e < 2 && !curve.is_closed; ++e) {
+      std::vector<Vector> points = curve.points;
+      if (e == 0)
+        std::reverse(points.begin(), points.end());
+      Segment_grid own;
+      for (std::size_t k = 1; k + trail < points.size(); ++k)
+        own.add(0, {points[k - 1], points[k]});
+      std::vector<Vector> path;
+      Local_curve tip;
+      bool ends_in_void;
+      if (follow(curve.tips[e], own, path, curve.residuals, tip, ends_in_void) || path.empty())
+        continue;
+      points.insert(points.end(), path.begin(), path.end());
+      if (e == 0)
+        std::reverse(points.begin(), points.end());
+      curve.points = points;
+      curve.tips[e] = tip;
+      curve.ends_in_void[e] = ends_in_void;
+    }
+    m_extended = Segment_grid::no_curve;
+  }
+
   // no later curve is traced along this one
   void keep(const Traced_curve& curve) { m_traced.add(m_number_of_traced++, curve.points); }
 
   // whether a kept curve runs along this one
-  bool is_traced(const Local_curve& front) const { return runs_along(m_traced, front); }
+  bool is_traced(const Local_curve& front) const { return runs_along(m_traced, front, m_extended); }
 
   // what the points around `front` say of the curve between its parameters -0.5 and 0.75
   Evidence evidence(const Local_curve& front)
@@ -178,12 +206,13 @@ public:
       if (distance > 1.6)
         continue;
       const double weight = 1. / (0.5 + distance);
+      const double tolerance = Tracing_options::tolerance(m_band.deviation(i, m_options.noise));
       const double e = m_band.distances[i] - distance;
       // a point that lies nearer to another curve says nothing about this one
       if (e < 0. && m_explanation
-          && std::abs(m_band.distances[i] - m_explanation->distance(i)) < m_options.tolerance())
+          && std::abs(m_band.distances[i] - m_explanation->distance(i)) < tolerance)
         continue;
-      if (std::abs(e) < m_options.tolerance())
+      if (std::abs(e) < tolerance)
         agreeing += weight;
       else
         opposing += weight;
@@ -256,10 +285,11 @@ private:
     return false;
   }
 
-  bool runs_along(const Segment_grid& curves, const Local_curve& front) const
+  bool runs_along(const Segment_grid& curves, const Local_curve& front,
+                  std::size_t ignored = Segment_grid::no_curve) const
   {
     return curves.nearest(front.point, 0.6 + m_options.noise, [&](const Segment_grid::Hit& hit) {
-      return std::abs(hit.direction.dot(front.tangent)) > 0.85;
+      return hit.curve != ignored && std::abs(hit.direction.dot(front.tangent)) > 0.85;
     }).is_valid();
   }
 

@@ -29,6 +29,7 @@ struct Extraction_options
   double skeleton_distance = 1.5;
   double support_distance = 3.;
   double fitting_radius = 4.;
+  bool use_creases = true;
   Corner_measure corner_measure = Corner_measure::FIELD_RESIDUAL;
   double corner_sampling_ratio = 0.1;
   double corner_radius = 4.;
@@ -64,6 +65,7 @@ Extraction_options extraction_options(const NamedParameters& np)
   CGAL_WIREFRAME_READ_LENGTH(skeleton_distance);
   CGAL_WIREFRAME_READ_LENGTH(support_distance);
   CGAL_WIREFRAME_READ_LENGTH(fitting_radius);
+  CGAL_WIREFRAME_READ(use_creases);
   CGAL_WIREFRAME_READ(corner_measure);
   CGAL_WIREFRAME_READ_LENGTH(corner_sampling_ratio);
   CGAL_WIREFRAME_READ_LENGTH(corner_radius);

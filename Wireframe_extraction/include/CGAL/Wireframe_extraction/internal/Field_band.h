@@ -123,10 +123,18 @@ struct Field_band
   std::vector<Vector> points;
   std::vector<double> distances;
   std::vector<std::size_t> indices;   // into the cloud
+  std::vector<double> deviations;     // standard deviations of the distances, where they are known
+  std::vector<char> is_on_crease;     // whether the surface has a crease there, where that is known
   std::size_t skeleton_size = 0;      // the first ones are the skeleton
   Ball_search search;
 
   std::size_t size() const { return points.size(); }
+
+  // standard deviation of a distance, where the field's noise level is `noise`
+  double deviation(std::size_t i, double noise) const
+  {
+    return deviations.empty() ? noise : (std::max)(noise, deviations[i]);
+  }
 };
 
 } // namespace internal

@@ -160,7 +160,7 @@ public:
     m_band.search.query(center, radius, m_ball);
     double sum = 0., total = 0.;
     for (std::size_t i : m_ball) {
-      const double weight = field_weight(m_band.distances[i]);
+      const double weight = field_weight(m_band.distances[i]) / (0.01 + std::pow(m_band.deviation(i, 0.), 2));
       const double e = m_band.distances[i] - curve.distance(m_band.points[i]);
       sum += weight * (std::min)(1., e * e);
       total += weight;
@@ -196,8 +196,9 @@ private:
       if (distance < 1e-9)
         continue;
       const double e = m_band.distances[i] - distance;
-      const double ratio = e / scale;
-      const double robust = 1. / ((1. + ratio * ratio) * (1. + ratio * ratio));
+      const double own_scale = (std::max)(scale, 2. * m_band.deviation(i, 0.));
+      const double ratio = e / own_scale, worth = scale / own_scale;
+      const double robust = worth * worth / ((1. + ratio * ratio) * (1. + ratio * ratio));
       const double weight = robust * field_weight(m_band.distances[i])
         * kernel((m_band.points[i] - center).squaredNorm() / squared_radius);
       Vector6 j;

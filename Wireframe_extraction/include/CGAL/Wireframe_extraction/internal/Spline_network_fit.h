@@ -379,7 +379,8 @@ private:
       Fitted_curve& curve = m_curves[s.curve];
       const Cubic_spline::Basis basis = curve.spline.basis(s.parameter);
       const double d = m_band.distances[s.point];
-      const double weight = m_options.use_robust_loss ? 1. / std::sqrt(1. + 0.5 * d * d) : 1.;
+      const double worth = (0.03 + m_noise) / (0.03 + m_band.deviation(s.point, m_noise));
+      const double weight = m_options.use_robust_loss ? worth / std::sqrt(1. + 0.5 * d * d) : 1.;
       problem.AddResidualBlock(new Field_residual(m_band.points[s.point], d, weight, basis.values.data()), loss,
                                control(curve, basis.controls[0]), control(curve, basis.controls[1]),
                                control(curve, basis.controls[2]), control(curve, basis.controls[3]));

@@ -64,10 +64,15 @@ public:
 private:
   static constexpr int number_of_passes = 2;
 
+  double tolerance_of(std::size_t i) const
+  {
+    return Tracing_options::tolerance(m_band.deviation(i, m_contraction.noise));
+  }
+
   Curve_network join(const Curve_network& network, bool is_smooth) const
   {
     const double least_gain = m_options.minimum_evidence;
-    const Curve_evidence evidence(m_band, m_tracing.tolerance());
+    const Curve_evidence evidence(m_band, m_contraction.noise);
     const auto prune = [&](const std::vector<const std::vector<Vector>*>& polylines) {
       return evidence.prune(polylines, least_gain, 0.35 * least_gain);
     };
@@ -76,7 +81,7 @@ private:
     joiner.join();
     joiner.prune(prune);
     if (is_smooth) {
-      const Curve_evidence sharp_evidence(m_band, (std::max)(0.06, 2.5 * m_contraction.noise));
+      const Curve_evidence sharp_evidence(m_band, m_contraction.noise, 0.06);
       joiner.round_off([&](const Vector& center, double radius, const std::vector<const std::vector<Vector>*>& lines) {
         return sharp_evidence.loss_around(center, radius, lines);
       }, 0.5 * least_gain);
@@ -86,7 +91,26 @@ private:
       }, [&](const std::vector<Vector>& edge) { evidence.add(edge, distances); });
     }
     joiner.drop_spurs(4. + 5. * m_contraction.noise, 2. + 4. * m_contraction.noise);
+    if (!m_band.is_on_crease.empty()) {
+      joiner.trim_free_ends([&](const Vector& p) { return is_on_crease(p); }, 25.);
+      joiner.join();
+      joiner.drop_spurs(4. + 5. * m_contraction.noise, 2. + 4. * m_contraction.noise);
+    }
     return joiner.network();
+  }
+
+  // whether most of the points near a position say so
+  bool is_on_crease(const Vector& position) const
+  {
+    std::vector<std::size_t> found;
+    m_band.search.query(position, 1.5, found);
+    std::size_t on_crease = 0, all = 0;
+    for (std::size_t i : found)
+      if (i < m_band.skeleton_size) {
+        ++all;
+        on_crease += m_band.is_on_crease[i] != 0;
+      }
+    return 2 * on_crease > all;
   }
 
   static std::vector<const std::vector<Vector>*> polylines(const Curve_network& network)
@@ -160,6 +184,16 @@ private:
     std::vector<Traced_curve> curves;
     Field_explanation explanation(m_band);
     Curve_tracer tracer(m_band, m_tracing, &explanation);
+    for (const Traced_curve& curve : m_contraction.creases) {
+      explanation.add(curve.points);
+      tracer.keep(curve);
+      curves.push_back(curve);
+    }
+    // a fading crease can be followed further in a field that is precise
+    for (std::size_t c = 0; noise < 0.1 && c < curves.size(); ++c) {
+      tracer.extend(curves[c], c);
+      explanation.add(curves[c].points);
+    }
     std::size_t done = 0;
     for (std::size_t i : seeds) {
       if (++done % 256 == 0 && !proceed(double(done) / double(seeds.size())))
@@ -167,8 +201,8 @@ private:
       if (residuals[i] > 0.1 + 1.3 * noise)
         break;
       const Local_curve& seed = m_contraction.curves[i];
-      if (explanation.is_explained(i, m_tracing.tolerance())
-          || std::abs(m_band.distances[i] - seed.distance(m_band.points[i])) > m_tracing.tolerance()
+      if (explanation.is_explained(i, noise)
+          || std::abs(m_band.distances[i] - seed.distance(m_band.points[i])) > tolerance_of(i)
           || tracer.is_traced(seed))
         continue;
       const Traced_curve curve = tracer.trace(seed);
@@ -185,18 +219,17 @@ private:
   // Curves so close to others that no fit there was good: what the others explain is set aside now.
   void trace_unexplained(Curve_tracer& tracer, Field_explanation& explanation, std::vector<Traced_curve>& curves) const
   {
-    const double tolerance = m_tracing.tolerance();
-    const Curve_evidence evidence(m_band, tolerance);
+    const Curve_evidence evidence(m_band, m_contraction.noise);
     Local_curve_fit fit(m_band);
     Local_fit_options fit_options;
     fit_options.radius = 0.6 * m_options.fitting_radius;
     fit_options.scale = m_tracing.fit_scale();
     for (std::size_t i = 0; i < m_band.skeleton_size; ++i) {
-      if (explanation.is_explained(i, tolerance))
+      if (explanation.is_explained(i, m_contraction.noise))
         continue;
       std::size_t unexplained = 0;
       Local_curve seed = fit.principal_axis(m_band.points[i], 3., [&](std::size_t j) {
-        const bool is_left = !explanation.is_explained(j, tolerance);
+        const bool is_left = !explanation.is_explained(j, m_contraction.noise);
         unexplained += is_left && j < m_band.skeleton_size;
         return is_left;
       });
@@ -204,7 +237,7 @@ private:
         continue;
       fit.refine_from(seed, m_band.points[i], fit_options);
       seed.move_along_to(m_band.points[i]);
-      if (std::abs(m_band.distances[i] - seed.distance(m_band.points[i])) > tolerance || tracer.is_traced(seed))
+      if (std::abs(m_band.distances[i] - seed.distance(m_band.points[i])) > tolerance_of(i) || tracer.is_traced(seed))
         continue;
       const Traced_curve curve = tracer.trace(seed);
       // these seeds are worse than the others, so their curves must prove more

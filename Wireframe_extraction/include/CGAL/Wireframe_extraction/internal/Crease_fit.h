@@ -1,0 +1,292 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_CREASE_FIT_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CREASE_FIT_H
+
+#include <CGAL/Wireframe_extraction/internal/Local_curve.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// Two surface strips that meet along a local curve.
+struct Crease
+{
+  Local_curve curve;
+  double fold = 0.;          // angle by which the normal turns across the curve
+  double fold_deviation = 1.;
+  double deviation = 1.;     // standard deviation of the curve's position, across it, where it is known worst
+  double residual = 1.;      // of the points from the strips, root mean square
+  bool is_traced = false;    // part of a curve along the crease
+  Vector strips[2];          // unit directions in which the strips leave the curve's point
+
+  // whether a point lies on one of the strips, up to `tolerance`
+  bool holds(const Vector& p, double tolerance) const
+  {
+    const Vector offset = p - curve.at(curve.parameter(p));
+    for (const Vector& strip : strips) {
+      const double along = offset.dot(strip);
+      if (along > -tolerance && (offset - along * strip).norm() < tolerance + 0.1 * along * along)
+        return true;
+    }
+    return false;
+  }
+};
+
+struct Crease_fit_options
+{
+  double radius = 4.;
+  double field_noise = 0.3;     // of the distances
+  double surface_noise = 0.1;   // of the points' positions
+  int iterations = 8;
+};
+
+// Fits a crease to the points themselves and to the field at once: the points shall lie on two strips, and their
+// distances to the curve where the strips meet shall be the field's values but for a common bias. In the frame that
+// moves along the curve, a strip is a parabola that leaves the curve; its direction may turn along the curve.
+class Crease_fit
+{
+  // apex, its change and second change along the curve, directions of the strips, their curvatures, twists, bias
+  static constexpr int size = 13;
+  typedef Eigen::Matrix<double, size, size> Matrix;
+  typedef Eigen::Matrix<double, size, 1> Parameters;
+
+  struct Sample { double s, x, y, distance, weight; };
+
+  const Field_band& m_band;
+  std::vector<std::size_t> m_ball;
+  std::vector<Sample> m_samples;
+
+  static constexpr int number_of_directions = 32;
+
+public:
+  explicit Crease_fit(const Field_band& band) : m_band(band) {}
+
+  // `previous`, if given, is a crease close by whose strips go on
+  Crease fit(const Local_curve& start, const Vector& center, const Crease_fit_options& options,
+             const Crease* previous = nullptr)
+  {
+    Crease crease;
+    crease.curve = start;
+    const Vector normal = start.tangent.unitOrthogonal();
+    const Vector binormal = start.tangent.cross(normal);
+    collect(start, center, normal, binormal, options.radius);
+    if (m_samples.size() < 10)
+      return crease;
+    Parameters q = Parameters::Zero();
+    if (previous)
+      for (int k = 0; k < 2; ++k)
+        q[6 + k] = std::atan2(previous->strips[k].dot(binormal), previous->strips[k].dot(normal));
+    else
+      find_directions(q[6], q[7]);
+    Matrix hessian;
+    for (int k = 0; k < options.iterations; ++k) {
+      // the outliers leave gradually, or the first guess would decide alone
+      const double scale = (std::max)(2.5 * options.surface_noise, 0.6 * std::pow(0.6, k));
+      Parameters gradient;
+      accumulate(q, options, scale, hessian, gradient);
+      const Parameters delta = hessian.ldlt().solve(gradient);
+      const double length = delta.head<2>().norm() + delta.segment<2>(6).norm();
+      q += length > 0.5 ? Parameters(0.5 / length * delta) : delta;
+      if (length < 1e-4 && scale == 2.5 * options.surface_noise)
+        break;
+    }
+    const double bend_x = start.bend.dot(normal), bend_y = start.bend.dot(binormal);
+    crease.curve.point = start.point + q[0] * normal + q[1] * binormal;
+    crease.curve.tangent = (start.tangent + q[2] * normal + q[3] * binormal).normalized();
+    crease.curve.bend = (bend_x + q[4]) * normal + (bend_y + q[5]) * binormal;
+    crease.curve.bend -= crease.curve.bend.dot(crease.curve.tangent) * crease.curve.tangent;
+    for (int k = 0; k < 2; ++k) {
+      crease.strips[k] = std::cos(q[6 + k]) * normal + std::sin(q[6 + k]) * binormal;
+      crease.strips[k] = (crease.strips[k] - crease.strips[k].dot(crease.curve.tangent) * crease.curve.tangent).normalized();
+    }
+    crease.fold = CGAL_PI - std::acos((std::min)(1., (std::max)(-1., std::cos(q[6] - q[7]))));
+    measure(q, options, crease, hessian);
+    return crease;
+  }
+
+private:
+  void collect(const Local_curve& start, const Vector& center, const Vector& normal, const Vector& binormal,
+               double radius)
+  {
+    const double bend_x = start.bend.dot(normal), bend_y = start.bend.dot(binormal);
+    m_band.search.query(center, radius, m_ball);
+    m_samples.clear();
+    for (std::size_t i : m_ball) {
+      const Vector offset = m_band.points[i] - start.point;
+      const double s = offset.dot(start.tangent);
+      const double ratio = (m_band.points[i] - center).squaredNorm() / (radius * radius);
+      m_samples.push_back({s, offset.dot(normal) - 0.5 * s * s * bend_x, offset.dot(binormal) - 0.5 * s * s * bend_y,
+                           m_band.distances[i], (1. - ratio) * (1. - ratio)});
+    }
+  }
+
+  // the pair of directions whose half-lines pass closest to the points
+  void find_directions(double& first, double& second) const
+  {
+    static const std::vector<std::pair<double, double> > directions = [] {
+      std::vector<std::pair<double, double> > result;
+      for (int k = 0; k < number_of_directions; ++k)
+        result.emplace_back(std::cos(2. * CGAL_PI * k / number_of_directions),
+                            std::sin(2. * CGAL_PI * k / number_of_directions));
+      return result;
+    }();
+    std::vector<double> losses(m_samples.size() * number_of_directions);
+    for (std::size_t i = 0; i < m_samples.size(); ++i) {
+      const Sample& p = m_samples[i];
+      for (int k = 0; k < number_of_directions; ++k) {
+        const double along = p.x * directions[k].first + p.y * directions[k].second;
+        const double across = p.y * directions[k].first - p.x * directions[k].second;
+        const double square = along > 0. ? across * across : p.x * p.x + p.y * p.y;
+        losses[i * number_of_directions + k] = p.weight * (std::min)(1., 4. * square);
+      }
+    }
+    double best = (std::numeric_limits<double>::infinity)();
+    for (int j = 0; j < number_of_directions; ++j)
+      for (int k = j + 1; k < number_of_directions; ++k) {
+        double sum = 0.;
+        for (std::size_t i = 0; i < m_samples.size(); ++i)
+          sum += (std::min)(losses[i * number_of_directions + j], losses[i * number_of_directions + k]);
+        if (sum < best) {
+          best = sum;
+          first = 2. * CGAL_PI * j / number_of_directions;
+          second = 2. * CGAL_PI * k / number_of_directions;
+        }
+      }
+  }
+
+  struct Offset
+  {
+    double x, y, along, across;
+    int strip;
+    bool is_valid;
+  };
+
+  // the strip that the sample is nearest to, and where it is on it
+  static Offset locate(const Parameters& q, const Sample& p)
+  {
+    Offset best;
+    best.x = p.x - q[0] - p.s * q[2] - 0.5 * p.s * p.s * q[4];
+    best.y = p.y - q[1] - p.s * q[3] - 0.5 * p.s * p.s * q[5];
+    best.is_valid = false;
+    for (int k = 0; k < 2; ++k) {
+      const double angle = q[6 + k] + p.s * q[10 + k];
+      const double c = std::cos(angle), s = std::sin(angle);
+      const double along = best.x * c + best.y * s;
+      const double across = best.y * c - best.x * s - 0.5 * q[8 + k] * along * along;
+      if (along > 0. && (!best.is_valid || std::abs(across) < std::abs(best.across))) {
+        best.along = along;
+        best.across = across;
+        best.strip = k;
+        best.is_valid = true;
+      }
+    }
+    return best;
+  }
+
+  static double robust_weight(double ratio) { return 1. / ((1. + ratio * ratio) * (1. + ratio * ratio)); }
+
+  void accumulate(const Parameters& q, const Crease_fit_options& options, double scale, Matrix& hessian,
+                  Parameters& gradient) const
+  {
+    hessian.setZero();
+    gradient.setZero();
+    const double surface_weight = 1. / (options.surface_noise * options.surface_noise);
+    const double field_weight = 1. / (options.field_noise * options.field_noise);
+    const double field_scale = (std::max)(2.5 * options.field_noise, scale);
+    for (const Sample& p : m_samples) {
+      const Offset offset = locate(q, p);
+      Parameters j = Parameters::Zero();
+      if (offset.is_valid) {
+        const int k = offset.strip;
+        const double angle = q[6 + k] + p.s * q[10 + k];
+        const double c = std::cos(angle), s = std::sin(angle);
+        const double curvature = q[8 + k];
+        // derivative of the residual `across` by the position in the cross-section, and by the angle
+        const double by_x = -s - curvature * offset.along * c, by_y = c - curvature * offset.along * s;
+        const double by_angle = -offset.along * (1. + curvature * offset.across);
+        set_position_derivatives(j, -by_x, -by_y, p.s);
+        j[6 + k] = by_angle;
+        j[8 + k] = -0.5 * offset.along * offset.along;
+        j[10 + k] = p.s * by_angle;
+        const double weight = p.weight * surface_weight * robust_weight(offset.across / scale);
+        hessian.selfadjointView<Eigen::Lower>().rankUpdate(j, weight);
+        gradient.noalias() -= weight * offset.across * j;
+      }
+      const double distance = std::hypot(offset.x, offset.y);
+      if (distance > 1e-9) {
+        const double divisor = (std::max)(distance, 0.05);
+        const double e = p.distance - q[12] - distance;
+        j.setZero();
+        set_position_derivatives(j, offset.x / divisor, offset.y / divisor, p.s);
+        j[12] = -1.;
+        const double weight = p.weight * field_weight * robust_weight(e / field_scale)
+          / (1. + 0.5 * p.distance * p.distance);
+        hessian.selfadjointView<Eigen::Lower>().rankUpdate(j, weight);
+        gradient.noalias() -= weight * e * j;
+      }
+    }
+    // expected sizes: of curvature and twist, and of the bias
+    static constexpr double deviations[size] = {0., 0., 0., 0., 0.12, 0.12, 0., 0., 0.08, 0.08, 0.06, 0.06, 0.};
+    for (int k = 0; k < size; ++k) {
+      const double deviation = k == 12 ? options.field_noise : deviations[k];
+      const double information = deviation > 0. ? 1. / (deviation * deviation) : 1e-3 + 1e-4 * hessian(k, k);
+      hessian(k, k) += information;
+      if (deviation > 0.)
+        gradient[k] -= information * q[k];
+    }
+    hessian = hessian.selfadjointView<Eigen::Lower>();
+  }
+
+  static void set_position_derivatives(Parameters& j, double by_x, double by_y, double s)
+  {
+    j[0] = by_x;
+    j[1] = by_y;
+    j[2] = s * by_x;
+    j[3] = s * by_y;
+    j[4] = 0.5 * s * s * by_x;
+    j[5] = 0.5 * s * s * by_y;
+  }
+
+  void measure(const Parameters& q, const Crease_fit_options& options, Crease& crease, const Matrix& hessian) const
+  {
+    double squares = 0., total = 0.;
+    for (const Sample& p : m_samples) {
+      const Offset offset = locate(q, p);
+      if (std::hypot(offset.x, offset.y) > 3. || std::abs(p.s) > 2.)
+        continue;
+      const double e = offset.is_valid ? offset.across : (std::min)(1., std::hypot(offset.x, offset.y));
+      squares += p.weight * (std::min)(0.25, e * e);
+      total += p.weight;
+    }
+    crease.residual = total > 0. ? std::sqrt(squares / total) : 1.;
+    const Matrix covariance = hessian.ldlt().solve(Matrix::Identity());
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance.topLeftCorner<2, 2>(), Eigen::EigenvaluesOnly);
+    const double inflation = (std::max)(1., crease.residual / options.surface_noise);
+    crease.deviation = inflation * std::sqrt((std::max)(0., solver.eigenvalues()[1]));
+    crease.fold_deviation = inflation
+      * std::sqrt((std::max)(0., covariance(6, 6) + covariance(7, 7) - 2. * covariance(6, 7)));
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_CREASE_FIT_H

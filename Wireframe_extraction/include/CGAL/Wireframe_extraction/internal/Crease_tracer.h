@@ -1,0 +1,243 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_CREASE_TRACER_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CREASE_TRACER_H
+
+#include <CGAL/Wireframe_extraction/internal/Crease_fit.h>
+#include <CGAL/Wireframe_extraction/internal/Curve_tracer.h>
+
+#include <iostream>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// Follows creases of the surface, from one that the field asked for, step by step as far as the surface is folded.
+class Crease_tracer
+{
+  const Field_band& m_band;
+  Crease_fit_options m_options;
+  double m_field_noise;
+  Crease_fit m_fit;
+  Segment_grid m_traced;
+  std::size_t m_number_of_traced = 0;
+  std::vector<std::size_t> m_ball;
+
+  static constexpr double step = 0.5;
+  static constexpr double longest_miss = 1.6;     // without a crease, then the curve ends
+  static constexpr double longest_gap = 40.;      // on a crease which the field does not see
+  static constexpr std::size_t trail = 8;         // steps of the path that are no news to the front
+
+public:
+  // `options.field_noise` is the noise of the field, which only decides where the field agrees
+  Crease_tracer(const Field_band& band, const Crease_fit_options& options)
+    : m_band(band), m_options(options), m_field_noise(options.field_noise), m_fit(band)
+  {
+    m_options.field_noise = 100.;
+  }
+
+  // a position is known well enough, and the surface is folded there whatever the field says
+  bool is_strong(const Crease& crease) const
+  {
+    return crease.deviation < (std::max)(0.03, 0.8 * m_field_noise)
+      && crease.fold > (std::max)(0.35, 4. * crease.fold_deviation);
+  }
+
+  // less is asked of what a crease leads to
+  bool goes_on(const Crease& crease) const
+  {
+    return crease.deviation < (std::max)(0.05, 1.3 * m_field_noise)
+      && crease.fold > (std::max)(0.3, 2.5 * crease.fold_deviation);
+  }
+
+  bool is_traced(const Local_curve& front) const { return runs_along(m_traced, front); }
+
+  // the creases along the curve are added to `creases`
+  Traced_curve trace(const Crease& seed, std::vector<Crease>& creases)
+  {
+    Traced_curve curve;
+    std::vector<Crease> forward, backward;
+    Segment_grid own;
+    curve.is_closed = follow(seed, own, forward);
+    if (!curve.is_closed) {
+      Crease reversed = seed;
+      reversed.curve.tangent = -seed.curve.tangent;
+      for (std::size_t k = trail; k < forward.size(); ++k)
+        own.add(0, {forward[k - 1].curve.point, forward[k].curve.point});
+      follow(reversed, own, backward);
+    }
+    curve.tips[0] = backward.empty() ? seed.curve : backward.back().curve;
+    curve.tips[1] = forward.empty() ? seed.curve : forward.back().curve;
+    if (backward.empty())
+      curve.tips[0].tangent = -seed.curve.tangent;
+    for (auto it = backward.rbegin(); it != backward.rend(); ++it)
+      curve.points.push_back(it->curve.point);
+    curve.points.push_back(seed.curve.point);
+    for (const Crease& crease : forward)
+      curve.points.push_back(crease.curve.point);
+    if (curve.is_closed)
+      curve.points.push_back(seed.curve.point);
+    curve.residuals.assign(curve.points.size(), m_options.surface_noise);
+    creases.insert(creases.end(), forward.begin(), forward.end());
+    creases.insert(creases.end(), backward.begin(), backward.end());
+    return curve;
+  }
+
+  // no later curve is traced along this one
+  void keep(const Traced_curve& curve) { m_traced.add(m_number_of_traced++, curve.points); }
+
+  // share of the points along a curve where the field agrees with it
+  double share_of_support(const std::vector<Vector>& points)
+  {
+    std::size_t supported = 0;
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+      Local_curve curve;
+      curve.point = points[k];
+      const Vector direction = points[k + 1] - points[k];
+      if (direction.norm() > 0.)
+        curve.tangent = direction.normalized();
+      supported += is_supported(curve);
+    }
+    return points.size() < 2 ? 0. : double(supported) / double(points.size() - 1);
+  }
+
+private:
+  // whether it came back to where it began
+  bool follow(const Crease& start, Segment_grid& own, std::vector<Crease>& path)
+  {
+    Crease front = start;       // the last one that is sure
+    Local_curve predicted = start.curve;
+    double miss = 0., gap = 0., length = 0.;
+    std::size_t supported = 0, covered = 0;
+    const std::size_t most = 10 + 4 * m_band.size();
+    while (path.size() < most) {
+      const Vector last = predicted.point;
+      const Local_curve ahead = advance(predicted);
+      Crease next;
+      const bool is_sure = fit_ahead(ahead, front, next);
+      predicted = is_sure ? next.curve : ahead;
+      length += (predicted.point - last).norm();
+      if (is_traced(predicted) || runs_along(own, predicted)) {
+        if (++covered == 3) {
+          path.resize(path.size() - (std::min)(path.size(), std::size_t(2)));
+          return false;
+        }
+      } else
+        covered = 0;
+      if (!is_sure) {
+        miss += step;
+        if (miss > longest_miss)
+          break;
+        continue;
+      }
+      miss = 0.;
+      path.push_back(next);
+      front = next;
+      if (path.size() > trail)
+        own.add(0, {path[path.size() - trail - 1].curve.point, path[path.size() - trail].curve.point});
+      if (is_supported(next.curve))
+        gap = 0.;
+      else
+        gap += step;
+      if (gap == 0.)
+        supported = path.size();
+      if (gap > longest_gap)
+        break;
+      if (length > 5. && has_returned(start.curve, predicted))
+        return true;
+    }
+    // a crease that the field does not see up to its end may well be there, but not a long one
+    if (gap > longest_gap)
+      path.resize(supported);
+    return false;
+  }
+
+  static Local_curve advance(const Local_curve& curve)
+  {
+    Local_curve next = curve;
+    next.point = curve.at(step);
+    next.tangent = curve.tangent_at(step);
+    next.bend -= next.bend.dot(next.tangent) * next.tangent;
+    return next;
+  }
+
+  bool fit_ahead(const Local_curve& ahead, const Crease& from, Crease& best)
+  {
+    best.deviation = 10.;
+    Crease_fit_options options = m_options;
+    for (double factor : {1.5, 1., 0.6, 0.4})
+      for (double shift : {0., 0.6}) {
+        if (shift > 0. && factor < 0.5)
+          continue;
+        options.radius = factor * m_options.radius;
+        // balls that lie behind the front do not see what comes beyond a corner
+        Crease crease = m_fit.fit(ahead, ahead.point - shift * options.radius * ahead.tangent, options, &from);
+        crease.curve.move_along_to(ahead.point);
+        if (crease.deviation < best.deviation)
+          best = crease;
+      }
+    if (best.curve.bend.norm() > 0.6)
+      best.curve.bend *= 0.6 / best.curve.bend.norm();
+    best.is_traced = true;
+    return goes_on(best) && best.fold > 0.6 * from.fold
+      && (best.curve.point - ahead.point).norm() < 0.2 + 2. * (best.deviation + from.deviation)
+      && best.curve.tangent.dot(ahead.tangent) > 0.95
+      && best.curve.tangent.dot(from.curve.tangent) > 0.93 && is_held(best);
+  }
+
+  // whether the points around the crease's point lie on its strips
+  bool is_held(const Crease& crease)
+  {
+    m_band.search.query(crease.curve.point, 1.3, m_ball);
+    std::size_t held = 0;
+    for (std::size_t i : m_ball)
+      held += crease.holds(m_band.points[i], 0.1 + 2.5 * m_options.surface_noise);
+    return held > 0 && held >= 0.7 * m_ball.size();
+  }
+
+  // whether the field agrees, near the curve's point
+  bool is_supported(const Local_curve& curve)
+  {
+    m_band.search.query(curve.point, 1.8, m_ball);
+    double agreeing = 0., opposing = 0.;
+    for (std::size_t i : m_ball) {
+      const double distance = curve.distance(m_band.points[i]);
+      const bool agrees = std::abs(m_band.distances[i] - distance) < (std::max)(0.2, 2.5 * m_field_noise);
+      (agrees ? agreeing : opposing) += 1. / (0.5 + distance);
+    }
+    return agreeing > opposing;
+  }
+
+  bool runs_along(const Segment_grid& curves, const Local_curve& front) const
+  {
+    return curves.nearest(front.point, 0.4 + m_options.surface_noise, [&](const Segment_grid::Hit& hit) {
+      return std::abs(hit.direction.dot(front.tangent)) > 0.85;
+    }).is_valid();
+  }
+
+  bool has_returned(const Local_curve& start, const Local_curve& front) const
+  {
+    const Vector offset = start.point - front.point;
+    const double s = offset.dot(front.tangent);
+    return s > -0.1 && s < 1.2 * step && start.tangent.dot(front.tangent) > 0.8
+      && (offset - s * front.tangent).norm() < 0.3 + 2. * m_options.surface_noise;
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_CREASE_TRACER_H

@@ -1,0 +1,227 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_REFINEMENT_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_REFINEMENT_H
+
+#include <CGAL/Wireframe_extraction/internal/Contraction.h>
+#include <CGAL/Wireframe_extraction/internal/Crease_tracer.h>
+#include <CGAL/Wireframe_extraction/internal/Segment_grid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// Estimates the distances anew from the creases of the surface: the field tells where to look for a crease, the points
+// of the two faces where it is. Creases are followed to where the field does not see them; where it wants one but the
+// surface is flat, it is not believed.
+class Field_refinement
+{
+  const Field_band& m_band;
+  const Contraction& m_contraction;
+  Crease_fit_options m_options;
+  std::vector<Crease> m_creases;         // those of the skeleton's points come first
+  Ball_search m_skeleton;
+  std::vector<Traced_curve> m_curves;   // along creases
+
+  struct Average
+  {
+    double sum = 0., total = 0., squares = 0., count = 0.;
+
+    void add(double value, double deviation, double weight)
+    {
+      sum += weight * value;
+      total += weight;
+      squares += weight * weight * deviation * deviation;
+      count += 1.;
+    }
+    double mean() const { return sum / total; }
+    // neighboring creases rest on the same points
+    double deviation() const { return std::sqrt(squares * count) / total; }
+  };
+
+public:
+  Field_refinement(const Field_band& band, const Contraction& contraction, double radius)
+    : m_band(band), m_contraction(contraction)
+  {
+    m_options.radius = radius;
+    m_options.field_noise = (std::max)(0.03, contraction.noise);
+    m_skeleton.build(m_band.points, m_band.skeleton_size);
+    estimate_surface_noise();
+    fit_creases();
+    trace_creases();
+  }
+
+  double surface_noise() const { return m_options.surface_noise; }
+  const std::vector<Crease>& creases() const { return m_creases; }
+  const std::vector<Traced_curve>& curves() const { return m_curves; }
+
+  // standard deviation of the new distances, where creases are good
+  double typical_deviation() const
+  {
+    std::vector<double> deviations;
+    for (const Crease& crease : m_creases)
+      if (is_good(crease))
+        deviations.push_back(crease.deviation);
+    return median(deviations);
+  }
+
+  // of every point of the band, and their standard deviations
+  std::vector<double> distances(std::vector<double>& deviations, std::vector<char>& is_on_crease) const
+  {
+    std::vector<Vector> feet;
+    std::vector<std::size_t> good;
+    for (std::size_t i = 0; i < m_creases.size(); ++i)
+      if (is_good(m_creases[i])) {
+        good.push_back(i);
+        feet.push_back(m_creases[i].curve.point);
+      }
+    std::vector<double> result = m_band.distances;
+    deviations.assign(m_band.size(), 0.);
+    is_on_crease.assign(m_band.size(), 0);
+    const Ball_search search(feet);
+    for_each_piece(m_band.size(), [&](std::size_t begin, std::size_t end) {
+      std::vector<std::size_t> found;
+      for (std::size_t i = begin; i < end; ++i) {
+        search.query(m_band.points[i], (std::min)(3., m_band.distances[i]) + 1.5, found);
+        Average any, strong;
+        double nearest = 10., deviation_of_nearest = 0.;
+        for (std::size_t k : found) {
+          const Crease& crease = m_creases[good[k]];
+          const double s = crease.curve.parameter(m_band.points[i]) / 1.5;
+          if (std::abs(s) >= 1. || !crease.holds(m_band.points[i], 0.2 + 3. * m_options.surface_noise))
+            continue;
+          const double distance = crease.curve.distance(m_band.points[i]);
+          if (crease.is_traced && std::abs(s) < 0.5 && distance < nearest) {
+            nearest = distance;
+            deviation_of_nearest = crease.deviation;
+          }
+          const double ratio = (distance - m_band.distances[i]) / (3. * m_options.field_noise * (1. + 0.3 * distance));
+          if (std::abs(ratio) >= 1.)
+            continue;
+          const double weight = (1. - s * s) * (1. - ratio * ratio) / (0.02 + crease.deviation * crease.deviation);
+          any.add(distance, crease.deviation, weight);
+          is_on_crease[i] |= crease.fold > (std::min)(0.5, least_fold(crease));
+          if (is_strong(crease))
+            strong.add(distance, crease.deviation, weight);
+        }
+        const Average& average = strong.total > 0. ? strong : any;
+        is_on_crease[i] |= strong.total > 0. || nearest < 3.;
+        if (strong.total > 0. || (any.total > 0. && nearest == 10.)) {
+          result[i] = average.mean();
+          deviations[i] = average.deviation();
+        } else if (nearest < 10.) {
+          result[i] = nearest;
+          deviations[i] = deviation_of_nearest;
+        } else if (m_band.distances[i] < 3. && is_flat_around(i, found)) {
+          result[i] = 10.;
+        } else
+          deviations[i] = m_options.field_noise * (1. + 0.3 * m_band.distances[i]);
+      }
+    });
+    return result;
+  }
+
+private:
+  bool is_good(const Crease& crease) const { return crease.deviation < 0.8 * m_options.field_noise; }
+
+  // whether the surface has no crease where the field wants one
+  bool is_flat_around(std::size_t i, std::vector<std::size_t>& found) const
+  {
+    m_skeleton.query(m_band.points[i], 1.5, found);
+    std::size_t flat = 0;
+    for (std::size_t k : found)
+      flat += m_creases[k].fold < (std::min)(0.5, least_fold(m_creases[k]))
+        && m_creases[k].residual < 2. * m_options.surface_noise + 0.05;
+    return 2 * flat > found.size();
+  }
+
+  // what is no mere effect of noise
+  static double least_fold(const Crease& crease) { return 0.05 + 2.5 * crease.fold_deviation; }
+
+  // it is there whatever the field says
+  bool is_strong(const Crease& crease) const { return is_good(crease) && crease.fold > (std::max)(0.35, 4. * crease.fold_deviation); }
+
+  // Follows strong creases, also to where the field did not show them.
+  void trace_creases()
+  {
+    Crease_tracer tracer(m_band, m_options);
+    std::vector<std::size_t> seeds;
+    for (std::size_t i = 0; i < m_creases.size(); ++i)
+      if (tracer.is_strong(m_creases[i]))
+        seeds.push_back(i);
+    std::sort(seeds.begin(), seeds.end(), [&](std::size_t a, std::size_t b) {
+      return std::tie(m_creases[a].deviation, a) < std::tie(m_creases[b].deviation, b);
+    });
+    for (std::size_t i : seeds) {
+      if (tracer.is_traced(m_creases[i].curve))
+        continue;
+      std::vector<Crease> creases;
+      const Traced_curve curve = tracer.trace(m_creases[i], creases);
+      if (curve.length() < 3. || tracer.share_of_support(curve.points) < 0.3)
+        continue;
+      tracer.keep(curve);
+      m_curves.push_back(curve);
+      m_creases[i].is_traced = true;
+      m_creases.insert(m_creases.end(), creases.begin(), creases.end());
+    }
+  }
+
+  void estimate_surface_noise()
+  {
+    static constexpr std::size_t most = 500;
+    const std::size_t count = (std::min)(most, m_contraction.curves.size());
+    Crease_fit fit(m_band);
+    m_options.surface_noise = 0.1;
+    for (int round = 0; round < 2; ++round) {
+      std::vector<double> residuals;
+      for (std::size_t k = 0; k < count; ++k) {
+        const Local_curve& curve = m_contraction.curves[k * m_contraction.curves.size() / count];
+        residuals.push_back(fit.fit(curve, curve.point, m_options).residual);
+      }
+      m_options.surface_noise = (std::max)(0.01, median(residuals));
+    }
+  }
+
+  void fit_creases()
+  {
+    m_creases.resize(m_contraction.curves.size());
+    for_each_piece(m_creases.size(), [&](std::size_t begin, std::size_t end) {
+      Crease_fit fit(m_band);
+      for (std::size_t i = begin; i < end; ++i)
+        m_creases[i] = best_crease(fit, m_contraction.curves[i]);
+    });
+  }
+
+  Crease best_crease(Crease_fit& fit, const Local_curve& start) const
+  {
+    Crease best;
+    best.deviation = 10.;
+    for (double factor : {1.5, 1., 0.6, 0.4}) {
+      Crease_fit_options options = m_options;
+      options.radius *= factor;
+      const Crease crease = fit.fit(start, start.point, options);
+      if (crease.deviation < best.deviation)
+        best = crease;
+    }
+    return best;
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_REFINEMENT_H

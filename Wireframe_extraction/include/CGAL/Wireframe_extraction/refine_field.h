@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+#ifndef CGAL_WIREFRAME_EXTRACTION_REFINE_FIELD_H
+#define CGAL_WIREFRAME_EXTRACTION_REFINE_FIELD_H
+
+#include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
+#include <CGAL/Wireframe_extraction/parameters.h>
+#include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/Field_refinement.h>
+#include <CGAL/Wireframe_extraction/select_skeleton.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+
+namespace internal {
+
+// a field with less noise (in sampling distances) knows better than the surface where curves are
+constexpr double least_noise_to_refine = 0.03;
+
+// Surfaces with less noise (in sampling distances) tell where they are flat, so that what is left of the field there is
+// true; in the others, ends of curves are cut back to where the surface is folded.
+constexpr double least_noise_to_trim = 0.1;
+
+// the points of the surroundings that lie near features by their new distances
+inline std::shared_ptr<Field_band> refined_band(const Field_band& surroundings, const Field_refinement& refinement,
+                                                const Extraction_options& options)
+{
+  std::vector<double> deviations;
+  std::vector<char> is_on_crease;
+  const std::vector<double> distances = refinement.distances(deviations, is_on_crease);
+  const double widest = (std::max)(options.skeleton_distance, options.support_distance);
+  auto band = std::make_shared<Field_band>();
+  for (std::size_t i = 0; i < surroundings.size(); ++i) {
+    if (!(distances[i] < widest))
+      continue;
+    band->points.push_back(surroundings.points[i]);
+    band->indices.push_back(surroundings.indices[i]);
+    band->distances.push_back(distances[i]);
+    band->deviations.push_back(deviations[i]);
+    if (refinement.surface_noise() > least_noise_to_trim)
+      band->is_on_crease.push_back(is_on_crease[i]);
+  }
+  sort_band(*band);
+  band->skeleton_size = std::lower_bound(band->distances.begin(), band->distances.end(), options.skeleton_distance)
+    - band->distances.begin();
+  band->search.build(band->points, band->size());
+  return band;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgWireframeExtractionFunctions
+
+corrects the field by the surface, where the surface shows more: a sharp curve is a crease of the surface, and the points
+on both sides tell where it is, often better than the estimated distances do.
+
+At every point of the skeleton a crease is fitted to the points around it: two strips that leave a common local curve,
+each with a curvature and a twist of its own. Robust Gauss-Newton steps minimise the distances of the points to the
+strips, and, with the weight that the noise of the field allows, the differences between the distances to the curve and
+the field's. Balls of several radii around `fitting_radius` are tried, and the one is taken that leaves the least
+uncertainty. Creases that are sure, sharper than 20 degrees, are followed step by step, also for up to 40 r where the
+field does not see them; the next stages start from these curves. Then all distances are computed anew: from the creases
+where they agree with the field or were followed; points for which no crease speaks and around which the surface is flat
+are left out; others keep their distances. The skeleton and its contraction are replaced.
+
+Fields with a noise level below 0.03 r are left as they are.
+
+\tparam GeomTraits a model of `WireframeExtractionTraits_3`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param skeleton what `select_skeleton()` returns. \pre `skeleton.is_contracted()`, unless it is empty
+\param np an optional sequence of named parameters: `skeleton_distance`, `support_distance`, `fitting_radius` and
+  `noise_level`, as for `select_skeleton()` and `contract_skeleton()`
+
+Complexity: O(n (log n + k)) for n points around the skeleton with k neighbors each; the fits are made in parallel if
+TBB is linked, with the same result.
+*/
+template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>
+void refine_field(Wireframe_skeleton<GeomTraits>& skeleton,
+                  const NamedParameters& np = CGAL::parameters::default_values())
+{
+  if (skeleton.support_size() == 0 || skeleton.contraction().noise < internal::least_noise_to_refine)
+    return;
+  const internal::Extraction_options options = internal::extraction_options(np);
+  const internal::Field_refinement refinement(skeleton.surroundings(), skeleton.contraction(), options.fitting_radius);
+  const std::shared_ptr<internal::Field_band> band
+    = internal::refined_band(skeleton.surroundings(), refinement, options);
+  auto contraction = std::make_shared<internal::Contraction>(internal::contract(*band, options.fitting_radius));
+  contraction->noise = options.noise_level >= 0. ? (std::min)(1., options.noise_level)
+                                                 : (std::max)(contraction->noise, refinement.typical_deviation());
+  contraction->creases = refinement.curves();
+  skeleton = skeleton.with_band(band);
+  skeleton.set_contraction(contraction);
+}
+
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_REFINE_FIELD_H
