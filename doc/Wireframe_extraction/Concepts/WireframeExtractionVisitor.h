@@ -40,7 +40,8 @@ public:
   void skeleton_selected(const CGAL::Wireframe_skeleton<Geom_traits>& skeleton);
 
   /*!
-  is called when every point of the skeleton has its foot, its tangent and its residual.
+  is called when every point of the skeleton has its foot, its tangent and its residual, after the field was refined. The
+  skeleton may then have other points than the selected one.
   */
   void skeleton_contracted(const CGAL::Wireframe_skeleton<Geom_traits>& skeleton);
 

@@ -36,7 +36,7 @@ struct Default_visitor
   template <class GeomTraits>
   void skeleton_selected(const Wireframe_skeleton<GeomTraits>&) {}
 
-  /// is called with the contracted skeleton.
+  /// is called with the contracted skeleton, after the field was refined.
   template <class GeomTraits>
   void skeleton_contracted(const Wireframe_skeleton<GeomTraits>&) {}
 
