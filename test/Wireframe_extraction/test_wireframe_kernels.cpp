@@ -300,10 +300,10 @@ void test_progress()
     cloud<Epick>(), WP::extraction_report(std::ref(report)).callback(callback));
   assert(are_equal(expected(), wireframe));
   assert(report.status == Report::Status::SUCCESS);
-  assert(shares.size() >= 7);       // every stage, at least
+  assert(shares.size() >= 8);       // every stage, at least
   assert(std::is_sorted(shares.begin(), shares.end()));
   assert(shares.front() > 0. && shares.back() == 1.);
-  assert(report.seconds.size() == 7);
+  assert(report.seconds.size() == 8);
   for (const auto& stage : report.seconds)
     assert(!stage.first.empty() && stage.second >= 0.);
 }
