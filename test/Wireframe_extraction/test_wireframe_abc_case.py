@@ -10,25 +10,17 @@ import json
 import math
 import pathlib
 import shutil
-import struct
 import subprocess
 import sys
-import tempfile
 import unittest
 
-TOOL = None
+from case_test import SUCCESS, USAGE_ERROR, BAD_INPUT, NO_SHARP_CURVE, Case_test, read_cloud
+
 DATA = pathlib.Path(__file__).resolve().parent / "data" / "abc_style"
 MESH, FEATURES = DATA / "channel.obj", DATA / "channel.yml"
-SUCCESS, INTERNAL_ERROR, USAGE_ERROR, BAD_INPUT, NO_SHARP_CURVE = range(5)
 R = 0.02
 QUARTILE = 0.8                       # of the lengths of the 28 sharp curves
 SMALL = ["--quantile-length", "20"]  # small clouds, for speed
-
-
-def read_cloud(path):
-    data = path.read_bytes()
-    end = data.index(b"end_header\n") + len(b"end_header\n")
-    return list(struct.iter_unpack("<4f", data[end:]))
 
 
 def spacings(cloud, r):
@@ -42,17 +34,7 @@ def spacings(cloud, r):
                 if i != j) for i, p in enumerate(cloud)]
 
 
-class Abc_case_test(unittest.TestCase):
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp())
-        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
-
-    def run_tool(self, *arguments, code=SUCCESS):
-        result = subprocess.run([TOOL, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                universal_newlines=True, timeout=120)
-        self.assertEqual(result.returncode, code, result.stdout + result.stderr)
-        return result.stdout if code == SUCCESS else result.stderr
-
+class Abc_case_test(Case_test):
     def make(self, *arguments):
         self.run_tool(MESH, FEATURES, "-o", self.folder, *arguments)
         case = self.folder / "channel"
@@ -161,7 +143,7 @@ class Abc_case_test(unittest.TestCase):
         self.assertAlmostEqual(sum(found) / len(found), R, delta=0.05 * R)
         message = self.run_tool(MESH, FEATURES, "-o", self.folder, "--max-points", "2000", "--force")
         self.assertIn("coarser", message)
-        result = subprocess.run([TOOL, MESH, FEATURES, "-o", self.folder / "other", "--max-points", "2000", "--too-many",
+        result = subprocess.run([self.tool, MESH, FEATURES, "-o", self.folder / "other", "--max-points", "2000", "--too-many",
                                  "skip"], stderr=subprocess.PIPE, universal_newlines=True)
         self.assertEqual(result.returncode, SUCCESS)
         self.assertIn("left out", result.stderr)
@@ -187,7 +169,7 @@ class Abc_case_test(unittest.TestCase):
                     shutil.copy(source, place / ("%s_0a1b_%s_000%s" % (number, kind, source.suffix)))
         bad = tree / "b" / "00000003" / "00000003_0a1b_features_000.yml"
         bad.write_text(bad.read_text()[:3000])
-        result = subprocess.run([TOOL, "--batch", tree, "-o", out, "--fields", "exact", *SMALL], stdout=subprocess.PIPE,
+        result = subprocess.run([self.tool, "--batch", tree, "-o", out, "--fields", "exact", *SMALL], stdout=subprocess.PIPE,
                                 stderr=subprocess.PIPE, universal_newlines=True)
         self.assertEqual(result.returncode, BAD_INPUT, result.stderr)
         self.assertIn("2 cases made, 0 left out, 2 failed", result.stdout)
@@ -259,5 +241,5 @@ class Abc_case_test(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    TOOL = sys.argv.pop(1)
+    Case_test.tool = sys.argv.pop(1)
     unittest.main()

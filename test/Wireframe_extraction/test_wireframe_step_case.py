@@ -9,24 +9,18 @@ import json
 import math
 import pathlib
 import shutil
-import struct
 import subprocess
 import sys
 import tempfile
 import unittest
 
-TOOL = WRITE_PARTS = None
-SUCCESS, INTERNAL_ERROR, USAGE_ERROR, BAD_INPUT, NO_SHARP_CURVE = range(5)
+from case_test import USAGE_ERROR, BAD_INPUT, NO_SHARP_CURVE, Case_test, read_cloud
+
+WRITE_PARTS = None
 R = 0.02
 
 
-def read_cloud(path):
-    data = path.read_bytes()
-    end = data.index(b"end_header\n") + len(b"end_header\n")
-    return list(struct.iter_unpack("<4f", data[end:]))
-
-
-class Step_case_test(unittest.TestCase):
+class Step_case_test(Case_test):
     @classmethod
     def setUpClass(cls):
         cls.parts = pathlib.Path(tempfile.mkdtemp())
@@ -35,16 +29,6 @@ class Step_case_test(unittest.TestCase):
     @classmethod
     def tearDownClass(cls):
         shutil.rmtree(cls.parts, ignore_errors=True)
-
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp())
-        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
-
-    def run_tool(self, *arguments, code=SUCCESS):
-        result = subprocess.run([TOOL, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                universal_newlines=True, timeout=120)
-        self.assertEqual(result.returncode, code, result.stdout + result.stderr)
-        return result.stdout if code == SUCCESS else result.stderr
 
     def make(self, name, *arguments):
         """The truth and the exact cloud; with the shortest curve 20 r long unless the arguments say else."""
@@ -155,7 +139,7 @@ class Step_case_test(unittest.TestCase):
         shutil.copy(self.parts / "cone.stp", tree)
         shutil.copy(self.parts / "sphere.stp", tree / "below" / "ball.STEP")
         (tree / "bad.step").write_text("no part")
-        result = subprocess.run([TOOL, "--batch", tree, "-o", self.folder / "out", "--quantile-length", "20"],
+        result = subprocess.run([self.tool, "--batch", tree, "-o", self.folder / "out", "--quantile-length", "20"],
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
         self.assertEqual(result.returncode, BAD_INPUT, result.stderr)
         self.assertIn("1 cases made, 1 left out, 1 failed", result.stdout)
@@ -165,6 +149,6 @@ class Step_case_test(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    TOOL = sys.argv.pop(1)
+    Case_test.tool = sys.argv.pop(1)
     WRITE_PARTS = sys.argv.pop(1)
     unittest.main()
