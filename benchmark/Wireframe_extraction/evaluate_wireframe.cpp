@@ -1,6 +1,7 @@
 // Compares a wireframe with the true one. See evaluate_wireframe --help.
 
 #include <Wireframe_evaluation/evaluate_wireframe.h>
+#include <Wireframe_evaluation/one_line.h>
 #include <Wireframe_evaluation/read_truth.h>
 #include <Wireframe_evaluation/write_scores.h>
 
@@ -14,12 +15,9 @@ namespace {
 
 enum Exit_code { SUCCESS = 0, INTERNAL_ERROR = 1, USAGE_ERROR = 2, BAD_TRUTH = 3, FAILED_CASE = 4 };
 
-int fail(Exit_code code, std::string text)
+int fail(Exit_code code, const std::string& text)
 {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 32 || c == 127)
-      c = ' ';
-  std::cerr << "evaluate_wireframe: error: " << text << '\n';
+  std::cerr << "evaluate_wireframe: error: " << Wireframe_evaluation::one_line(text) << '\n';
   return code;
 }
 

@@ -5,6 +5,7 @@
 #include <Wireframe_benchmark/find_cases.h>
 #include <Wireframe_benchmark/report.h>
 #include <Wireframe_benchmark/run_cases.h>
+#include <Wireframe_evaluation/one_line.h>
 
 #include <CLI/CLI.hpp>
 
@@ -266,12 +267,9 @@ void add_options(CLI::App& app, Arguments& a)
              "Exit code: 0; 2 wrong usage; 3 no cases, or a truth or table that cannot be read.");
 }
 
-int fail(Exit_code code, std::string text)
+int fail(Exit_code code, const std::string& text)
 {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 32 || c == 127)
-      c = ' ';
-  std::cerr << "run_benchmark: error: " << text << '\n';
+  std::cerr << "run_benchmark: error: " << Wireframe_evaluation::one_line(text) << '\n';
   return code;
 }
 

@@ -18,6 +18,7 @@
 #include <Wireframe_benchmark/run_process.h>
 
 #include <Wireframe_evaluation/evaluate_wireframe.h>
+#include <Wireframe_evaluation/one_line.h>
 #include <Wireframe_evaluation/read_truth.h>
 
 #include <cstddef>
@@ -48,10 +49,7 @@ inline std::string last_line(const fs::path& path)
   while (std::getline(in, line))
     if (line.find_first_not_of(" \t\r") != std::string::npos)
       last = line;
-  for (char& c : last)
-    if (static_cast<unsigned char>(c) < 32 || c == 127)
-      c = ' ';
-  return last;
+  return Wireframe_evaluation::one_line(last);
 }
 
 inline std::string replaced(std::string text, const std::string& what, const std::string& by)
