@@ -442,6 +442,12 @@ void test_refinement_that_changes_nothing()
   const double first = skeleton.distance(0), noise = skeleton.noise();
   WE::refine_field(skeleton);
   assert(skeleton.size() == size && skeleton.distance(0) == first && skeleton.noise() == noise);
+  // a skeleton without its surroundings
+  Skeleton bare = WE::select_skeleton(wrong_roof(), WP::sampling_distance(r).use_creases(false));
+  WE::contract_skeleton(bare);
+  const std::size_t bare_size = bare.size();
+  WE::refine_field(bare);
+  assert(bare.size() == bare_size && bare.noise() > 0.1 * r);
   // nothing
   Skeleton empty;
   WE::refine_field(empty);

@@ -98,7 +98,8 @@ public:
   Wireframe_skeleton(std::shared_ptr<const Wireframe_extraction::internal::Field_band> band,
                      std::shared_ptr<const Wireframe_extraction::internal::Field_band> surroundings, double unit,
                      const internal_Vector& origin, std::size_t number_of_duplicates, const GeomTraits& traits)
-    : m_band(band), m_surroundings(surroundings), m_unit(unit), m_origin(origin), m_number_of_duplicates(number_of_duplicates), m_traits(traits)
+    : m_band(band), m_surroundings(surroundings), m_unit(unit), m_origin(origin),
+      m_number_of_duplicates(number_of_duplicates), m_traits(traits)
   {}
 
   // the same skeleton over other distances

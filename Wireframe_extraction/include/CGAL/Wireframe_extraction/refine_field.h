@@ -52,10 +52,7 @@ inline std::shared_ptr<Field_band> refined_band(const Field_band& surroundings, 
     if (refinement.surface_noise() > least_noise_to_trim)
       band->is_on_crease.push_back(is_on_crease[i]);
   }
-  sort_band(*band);
-  band->skeleton_size = std::lower_bound(band->distances.begin(), band->distances.end(), options.skeleton_distance)
-    - band->distances.begin();
-  band->search.build(band->points, band->size());
+  complete_band(*band, options.skeleton_distance);
   return band;
 }
 
@@ -76,7 +73,8 @@ field does not see them; the next stages start from these curves. Then all dista
 where they agree with the field or were followed; points for which no crease speaks and around which the surface is flat
 are left out; others keep their distances. The skeleton and its contraction are replaced.
 
-Fields with a noise level below 0.03 r are left as they are.
+Fields with a noise level below 0.03 r are left as they are, and so is a skeleton that was selected with
+`use_creases(false)`.
 
 \tparam GeomTraits a model of `WireframeExtractionTraits_3`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -92,7 +90,8 @@ template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_na
 void refine_field(Wireframe_skeleton<GeomTraits>& skeleton,
                   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  if (skeleton.support_size() == 0 || skeleton.contraction().noise < internal::least_noise_to_refine)
+  if (skeleton.support_size() == 0 || skeleton.surroundings().size() == 0
+      || skeleton.contraction().noise < internal::least_noise_to_refine)
     return;
   const internal::Extraction_options options = internal::extraction_options(np);
   const internal::Field_refinement refinement(skeleton.surroundings(), skeleton.contraction(), options.fitting_radius);

@@ -59,6 +59,16 @@ inline std::size_t sort_band(Field_band& band)
   return order.size() - band.size();
 }
 
+// Sorts the points, says which are the skeleton, and indexes all. Returns how many were left out.
+inline std::size_t complete_band(Field_band& band, double skeleton_distance)
+{
+  const std::size_t duplicates = sort_band(band);
+  band.skeleton_size = std::lower_bound(band.distances.begin(), band.distances.end(), skeleton_distance)
+    - band.distances.begin();
+  band.search.build(band.points, band.size());
+  return duplicates;
+}
+
 // The positions and distances of a cloud, and which of its values they belong to.
 struct Cloud_values
 {
@@ -140,11 +150,9 @@ Wireframe_skeleton<GeomTraits> select_skeleton(const Cloud_values& cloud, double
       band->points[i] = (band->points[i] - origin) / unit;
       band->distances[i] /= unit;
     }
-    duplicates = sort_band(*band);
-    band->skeleton_size = std::lower_bound(band->distances.begin(), band->distances.end(),
-                                           options.skeleton_distance) - band->distances.begin();
-    band->search.build(band->points, band->size());
-    select_surroundings(cloud, unit, origin, 2. * options.fitting_radius, *band, *surroundings);
+    duplicates = complete_band(*band, options.skeleton_distance);
+    if (options.use_creases)
+      select_surroundings(cloud, unit, origin, 2. * options.fitting_radius, *band, *surroundings);
   }
   return Wireframe_skeleton<GeomTraits>(band, surroundings, unit, origin, duplicates, traits);
 }
@@ -187,6 +195,12 @@ points below `support_distance`, which later stages fit to.
     \cgalParamDescription{the threshold below which a point supports the fits, in multiples of r}
     \cgalParamType{`double`}
     \cgalParamDefault{3}
+  \cgalParamNEnd
+  \cgalParamNBegin{use_creases}
+    \cgalParamDescription{whether the points around the skeleton are kept for `refine_field()`, which otherwise does
+                          nothing}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of a geometric traits class}

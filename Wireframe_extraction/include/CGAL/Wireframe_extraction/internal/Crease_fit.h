@@ -19,6 +19,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -35,6 +37,9 @@ struct Crease
   double residual = 1.;      // of the points from the strips, root mean square
   bool is_traced = false;    // part of a curve along the crease
   Vector strips[2];          // unit directions in which the strips leave the curve's point
+
+  // whether the surface is folded there beyond doubt
+  bool is_sharp() const { return fold > (std::max)(0.35, 4. * fold_deviation); }
 
   // whether a point lies on one of the strips, up to `tolerance`
   bool holds(const Vector& p, double tolerance) const
@@ -119,6 +124,28 @@ public:
     crease.fold = CGAL_PI - std::acos((std::min)(1., (std::max)(-1., std::cos(q[6] - q[7]))));
     measure(q, options, crease, hessian);
     return crease;
+  }
+
+  // Fits with balls of several radii and keeps the crease that is known best. With a previous crease, balls that lie
+  // behind are tried as well: they do not see what comes beyond a corner.
+  Crease fit_with_best_radius(const Local_curve& start, const Crease_fit_options& options,
+                              const Crease* previous = nullptr)
+  {
+    Crease best;
+    best.deviation = 10.;
+    const auto try_ball = [&](double factor, double shift) {
+      Crease_fit_options scaled = options;
+      scaled.radius *= factor;
+      const Crease crease = fit(start, start.point - shift * scaled.radius * start.tangent, scaled, previous);
+      if (crease.deviation < best.deviation)
+        best = crease;
+    };
+    for (double factor : {1.5, 1., 0.6, 0.4}) {
+      try_ball(factor, 0.);
+      if (previous && factor > 0.5)
+        try_ball(factor, 0.6);
+    }
+    return best;
   }
 
 private:

@@ -14,7 +14,6 @@
 #include <CGAL/Wireframe_extraction/internal/Crease_fit.h>
 #include <CGAL/Wireframe_extraction/internal/Curve_tracer.h>
 
-#include <iostream>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -52,7 +51,7 @@ public:
   bool is_strong(const Crease& crease) const
   {
     return crease.deviation < (std::max)(0.03, 0.8 * m_field_noise)
-      && crease.fold > (std::max)(0.35, 4. * crease.fold_deviation);
+      && crease.is_sharp();
   }
 
   // less is asked of what a crease leads to
@@ -62,7 +61,7 @@ public:
       && crease.fold > (std::max)(0.3, 2.5 * crease.fold_deviation);
   }
 
-  bool is_traced(const Local_curve& front) const { return runs_along(m_traced, front); }
+  bool is_traced(const Local_curve& front) const { return runs_along(m_traced, front, reach()); }
 
   // the creases along the curve are added to `creases`
   Traced_curve trace(const Crease& seed, std::vector<Crease>& creases)
@@ -114,6 +113,9 @@ public:
   }
 
 private:
+  // what runs closer to a curve is the same curve
+  double reach() const { return 0.4 + m_options.surface_noise; }
+
   // whether it came back to where it began
   bool follow(const Crease& start, Segment_grid& own, std::vector<Crease>& path)
   {
@@ -124,12 +126,12 @@ private:
     const std::size_t most = 10 + 4 * m_band.size();
     while (path.size() < most) {
       const Vector last = predicted.point;
-      const Local_curve ahead = advance(predicted);
+      const Local_curve ahead = predicted.ahead(step);
       Crease next;
       const bool is_sure = fit_ahead(ahead, front, next);
       predicted = is_sure ? next.curve : ahead;
       length += (predicted.point - last).norm();
-      if (is_traced(predicted) || runs_along(own, predicted)) {
+      if (is_traced(predicted) || runs_along(own, predicted, reach())) {
         if (++covered == 3) {
           path.resize(path.size() - (std::min)(path.size(), std::size_t(2)));
           return false;
@@ -147,47 +149,26 @@ private:
       front = next;
       if (path.size() > trail)
         own.add(0, {path[path.size() - trail - 1].curve.point, path[path.size() - trail].curve.point});
-      if (is_supported(next.curve))
+      if (is_supported(next.curve)) {
         gap = 0.;
-      else
-        gap += step;
-      if (gap == 0.)
         supported = path.size();
-      if (gap > longest_gap)
-        break;
-      if (length > 5. && has_returned(start.curve, predicted))
+      } else
+        gap += step;
+      if (gap > longest_gap) {
+        // the field denies a crease as long as that
+        path.resize(supported);
+        return false;
+      }
+      if (length > 5. && has_returned(start.curve, predicted, step, 0.3 + 2. * m_options.surface_noise))
         return true;
     }
-    // a crease that the field does not see up to its end may well be there, but not a long one
-    if (gap > longest_gap)
-      path.resize(supported);
     return false;
-  }
-
-  static Local_curve advance(const Local_curve& curve)
-  {
-    Local_curve next = curve;
-    next.point = curve.at(step);
-    next.tangent = curve.tangent_at(step);
-    next.bend -= next.bend.dot(next.tangent) * next.tangent;
-    return next;
   }
 
   bool fit_ahead(const Local_curve& ahead, const Crease& from, Crease& best)
   {
-    best.deviation = 10.;
-    Crease_fit_options options = m_options;
-    for (double factor : {1.5, 1., 0.6, 0.4})
-      for (double shift : {0., 0.6}) {
-        if (shift > 0. && factor < 0.5)
-          continue;
-        options.radius = factor * m_options.radius;
-        // balls that lie behind the front do not see what comes beyond a corner
-        Crease crease = m_fit.fit(ahead, ahead.point - shift * options.radius * ahead.tangent, options, &from);
-        crease.curve.move_along_to(ahead.point);
-        if (crease.deviation < best.deviation)
-          best = crease;
-      }
+    best = m_fit.fit_with_best_radius(ahead, m_options, &from);
+    best.curve.move_along_to(ahead.point);
     if (best.curve.bend.norm() > 0.6)
       best.curve.bend *= 0.6 / best.curve.bend.norm();
     best.is_traced = true;
@@ -214,25 +195,10 @@ private:
     double agreeing = 0., opposing = 0.;
     for (std::size_t i : m_ball) {
       const double distance = curve.distance(m_band.points[i]);
-      const bool agrees = std::abs(m_band.distances[i] - distance) < (std::max)(0.2, 2.5 * m_field_noise);
+      const bool agrees = std::abs(m_band.distances[i] - distance) < Tracing_options::tolerance(m_field_noise);
       (agrees ? agreeing : opposing) += 1. / (0.5 + distance);
     }
     return agreeing > opposing;
-  }
-
-  bool runs_along(const Segment_grid& curves, const Local_curve& front) const
-  {
-    return curves.nearest(front.point, 0.4 + m_options.surface_noise, [&](const Segment_grid::Hit& hit) {
-      return std::abs(hit.direction.dot(front.tangent)) > 0.85;
-    }).is_valid();
-  }
-
-  bool has_returned(const Local_curve& start, const Local_curve& front) const
-  {
-    const Vector offset = start.point - front.point;
-    const double s = offset.dot(front.tangent);
-    return s > -0.1 && s < 1.2 * step && start.tangent.dot(front.tangent) > 0.8
-      && (offset - s * front.tangent).norm() < 0.3 + 2. * m_options.surface_noise;
   }
 };
 

@@ -77,6 +77,24 @@ struct Tracing_options
   double fit_scale() const { return (std::max)(0.15, 2. * noise); }
 };
 
+// whether a curve in the grid, other than the ignored one, runs within `reach` of the front, in its direction
+inline bool runs_along(const Segment_grid& curves, const Local_curve& front, double reach,
+                       std::size_t ignored = Segment_grid::no_curve)
+{
+  return curves.nearest(front.point, reach, [&](const Segment_grid::Hit& hit) {
+    return hit.curve != ignored && std::abs(hit.direction.dot(front.tangent)) > 0.85;
+  }).is_valid();
+}
+
+// whether the next step of a front leads to where it started
+inline bool has_returned(const Local_curve& start, const Local_curve& front, double step, double tolerance)
+{
+  const Vector offset = start.point - front.point;
+  const double s = offset.dot(front.tangent);
+  return s > -0.1 && s < 1.2 * step && start.tangent.dot(front.tangent) > 0.8
+    && (offset - s * front.tangent).norm() < tolerance;
+}
+
 // What the field says of curves: which of the band's points agree with them.
 class Field_explanation
 {
@@ -191,7 +209,7 @@ public:
   void keep(const Traced_curve& curve) { m_traced.add(m_number_of_traced++, curve.points); }
 
   // whether a kept curve runs along this one
-  bool is_traced(const Local_curve& front) const { return runs_along(m_traced, front, m_extended); }
+  bool is_traced(const Local_curve& front) const { return runs_along(m_traced, front, 0.6 + m_options.noise, m_extended); }
 
   // what the points around `front` say of the curve between its parameters -0.5 and 0.75
   Evidence evidence(const Local_curve& front)
@@ -239,18 +257,15 @@ private:
     options.iterations = 3;
     const std::size_t most = 10 + 4 * m_band.size();
     while (path.size() < most) {
-      Local_curve next = front;
-      next.point = front.at(m_options.step);
-      next.tangent = front.tangent_at(m_options.step);
-      next.bend -= next.bend.dot(next.tangent) * next.tangent;
-      const Local_curve predicted = next;
+      const Local_curve predicted = front.ahead(m_options.step);
+      Local_curve next = predicted;
       const double residual = refine_at_front(next, predicted.point, options);
       if (next.tangent.dot(front.tangent) < std::cos(m_options.maximum_turn)
           || (next.point - predicted.point).norm() > 0.5 * m_options.step + m_options.tolerance())
         next = predicted;
       length += (next.point - front.point).norm();
       front = next;
-      if (is_traced(front) || runs_along(own, front)) {
+      if (is_traced(front) || runs_along(own, front, 0.6 + m_options.noise)) {
         if (++covered == 3) {
           supported = (std::min)(supported, path.size() - (std::min)(path.size(), std::size_t(2)));
           break;
@@ -278,19 +293,11 @@ private:
           break;
         }
       }
-      if (length > 5. && has_returned(start, front))
+      if (length > 5. && has_returned(start, front, m_options.step, 0.25 + m_options.tolerance()))
         return true;
     }
     path.resize(supported);
     return false;
-  }
-
-  bool runs_along(const Segment_grid& curves, const Local_curve& front,
-                  std::size_t ignored = Segment_grid::no_curve) const
-  {
-    return curves.nearest(front.point, 0.6 + m_options.noise, [&](const Segment_grid::Hit& hit) {
-      return hit.curve != ignored && std::abs(hit.direction.dot(front.tangent)) > 0.85;
-    }).is_valid();
   }
 
   // the ball lies a little behind, where the curve is known to be
@@ -303,13 +310,6 @@ private:
     });
   }
 
-  bool has_returned(const Local_curve& start, const Local_curve& front) const
-  {
-    const Vector offset = start.point - front.point;
-    const double s = offset.dot(front.tangent);
-    return s > -0.1 && s < 1.2 * m_options.step && start.tangent.dot(front.tangent) > 0.8
-      && (offset - s * front.tangent).norm() < 0.25 + m_options.tolerance();
-  }
 };
 
 } // namespace internal

@@ -65,7 +65,6 @@ public:
   }
 
   double surface_noise() const { return m_options.surface_noise; }
-  const std::vector<Crease>& creases() const { return m_creases; }
   const std::vector<Traced_curve>& curves() const { return m_curves; }
 
   // standard deviation of the new distances, where creases are good
@@ -152,7 +151,7 @@ private:
   static double least_fold(const Crease& crease) { return 0.05 + 2.5 * crease.fold_deviation; }
 
   // it is there whatever the field says
-  bool is_strong(const Crease& crease) const { return is_good(crease) && crease.fold > (std::max)(0.35, 4. * crease.fold_deviation); }
+  bool is_strong(const Crease& crease) const { return is_good(crease) && crease.is_sharp(); }
 
   // Follows strong creases, also to where the field did not show them.
   void trace_creases()
@@ -201,22 +200,8 @@ private:
     for_each_piece(m_creases.size(), [&](std::size_t begin, std::size_t end) {
       Crease_fit fit(m_band);
       for (std::size_t i = begin; i < end; ++i)
-        m_creases[i] = best_crease(fit, m_contraction.curves[i]);
+        m_creases[i] = fit.fit_with_best_radius(m_contraction.curves[i], m_options);
     });
-  }
-
-  Crease best_crease(Crease_fit& fit, const Local_curve& start) const
-  {
-    Crease best;
-    best.deviation = 10.;
-    for (double factor : {1.5, 1., 0.6, 0.4}) {
-      Crease_fit_options options = m_options;
-      options.radius *= factor;
-      const Crease crease = fit.fit(start, start.point, options);
-      if (crease.deviation < best.deviation)
-        best = crease;
-    }
-    return best;
   }
 };
 

@@ -39,15 +39,18 @@ struct Local_curve
   double parameter(const Vector& p) const { return (p - point).dot(tangent); }
   double distance(const Vector& p) const { return (p - at(parameter(p))).norm(); }
 
-  // moves `point` to where the curve passes `p`
-  void move_along_to(const Vector& p)
+  // the same curve, seen from its point at s
+  Local_curve ahead(double s) const
   {
-    const double s = parameter(p);
-    const Vector q = at(s);
-    tangent = tangent_at(s);
-    point = q;
-    bend -= bend.dot(tangent) * tangent;
+    Local_curve result;
+    result.point = at(s);
+    result.tangent = tangent_at(s);
+    result.bend = bend - bend.dot(result.tangent) * result.tangent;
+    return result;
   }
+
+  // moves `point` to where the curve passes `p`
+  void move_along_to(const Vector& p) { *this = ahead(parameter(p)); }
 };
 
 struct Local_fit_options
