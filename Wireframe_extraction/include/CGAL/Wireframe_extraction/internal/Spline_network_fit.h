@@ -70,26 +70,25 @@ public:
   }
 };
 
-// the third difference of control points: keeps spans quiet that have few points
+// a linear combination of the four control points of a span that shall be small
 class Roughness_residual : public ceres::SizedCostFunction<3, 3, 3, 3, 3>
 {
-  double m_weight;
+  std::array<double, 4> m_factors;
 
 public:
-  explicit Roughness_residual(double weight) : m_weight(weight) {}
+  explicit Roughness_residual(const std::array<double, 4>& factors) : m_factors(factors) {}
 
   bool Evaluate(double const* const* controls, double* residuals, double** jacobians) const override
   {
-    static constexpr double c[4] = {-1., 3., -3., 1.};
     for (int k = 0; k < 3; ++k) {
       residuals[k] = 0.;
       for (int j = 0; j < 4; ++j)
-        residuals[k] += m_weight * c[j] * controls[j][k];
+        residuals[k] += m_factors[j] * controls[j][k];
     }
     if (jacobians)
       for (int j = 0; j < 4; ++j)
         if (jacobians[j])
-          set_multiple_of_identity(jacobians[j], m_weight * c[j]);
+          set_multiple_of_identity(jacobians[j], m_factors[j]);
     return true;
   }
 };
@@ -248,7 +247,7 @@ private:
     const bool is_periodic = curve.is_closed_without_vertex();
     std::vector<double> breaks = m_options.adapt_knots || s.size() <= curve.least_spans()
       ? uniform_breaks(s.back(), curve.least_spans()) : s;
-    const double tolerance = 0.1 + m_noise;
+    const double tolerance = 0.1 + 2. * m_noise;
     while (true) {
       curve.spline = Cubic_spline(breaks, is_periodic);
       curve.spline.interpolate(parameters, positions);
@@ -385,15 +384,7 @@ private:
                                control(curve, basis.controls[0]), control(curve, basis.controls[1]),
                                control(curve, basis.controls[2]), control(curve, basis.controls[3]));
     }
-    const double roughness = 0.005 + 0.1 * m_noise;
-    for (Fitted_curve& curve : m_curves) {
-      const std::size_t n = curve.spline.points().size();
-      const std::size_t last = curve.spline.is_periodic() ? n : n - 3;
-      for (std::size_t i = 0; i < last; ++i)
-        problem.AddResidualBlock(new Roughness_residual(roughness), nullptr, control(curve, i),
-                                 control(curve, (i + 1) % n), control(curve, (i + 2) % n),
-                                 control(curve, (i + 3) % n));
-    }
+    add_roughness(problem);
     for (std::size_t v = 0; v < m_vertices.size(); ++v) {
       if (m_degrees[v] == 0)
         continue;
@@ -429,6 +420,64 @@ private:
         curve.spline.points().back() = m_vertices[curve.vertices[1]];
       }
     return !stop.is_cancelled;
+  }
+
+  // A prior for curves whose curvature changes slowly, the stronger the more the field errs. On an arc of curvature k the
+  // third derivative is -k^2 times the first one; what differs from that is rough.
+  void add_roughness(ceres::Problem& problem)
+  {
+    const double roughness = 0.05 + 30. * m_noise;
+    for (Fitted_curve& curve : m_curves) {
+      const std::vector<double>& breaks = curve.spline.breaks();
+      const std::vector<Vector> curvatures = span_curvatures(curve.spline);
+      for (std::size_t k = 1; k < breaks.size(); ++k) {
+        const double width = breaks[k] - breaks[k - 1];
+        const Vector curvature = typical_curvature(curve.spline, curvatures, k - 1);
+        const Cubic_spline::Basis first = curve.spline.basis(breaks[k - 1] + 0.25 * width),
+                                  second = curve.spline.basis(breaks[k] - 0.25 * width),
+                                  middle = curve.spline.basis(0.5 * (breaks[k] + breaks[k - 1]));
+        std::array<double, 4> factors;
+        for (int j = 0; j < 4; ++j)
+          factors[j] = roughness * std::sqrt(width)
+            * ((second.values[8 + j] - first.values[8 + j]) / (0.5 * width)
+               + curvature.squaredNorm() * middle.values[4 + j]);
+        problem.AddResidualBlock(new Roughness_residual(factors), nullptr, control(curve, first.controls[0]),
+                                 control(curve, first.controls[1]), control(curve, first.controls[2]),
+                                 control(curve, first.controls[3]));
+      }
+    }
+  }
+
+  // curvature times binormal, in the middle of every span
+  static std::vector<Vector> span_curvatures(const Cubic_spline& spline)
+  {
+    std::vector<Vector> result;
+    for (std::size_t k = 1; k < spline.breaks().size(); ++k) {
+      const Cubic_spline::Basis middle = spline.basis(0.5 * (spline.breaks()[k - 1] + spline.breaks()[k]));
+      const Vector d1 = spline.combine(middle, 1), d2 = spline.combine(middle, 2);
+      result.push_back(d1.cross(d2) / (std::max)(0.1, std::pow(d1.norm(), 3)));
+    }
+    return result;
+  }
+
+  // the mean over some sampling distances: waves cancel, arcs add up
+  static Vector typical_curvature(const Cubic_spline& spline, const std::vector<Vector>& curvatures, std::size_t span)
+  {
+    const std::vector<double>& breaks = spline.breaks();
+    const double reach = 6., position = 0.5 * (breaks[span] + breaks[span + 1]);
+    const double period = spline.back() - spline.front();
+    Vector sum = Vector::Zero();
+    double total = 0.;
+    for (std::size_t k = 0; k < curvatures.size(); ++k) {
+      double distance = std::abs(0.5 * (breaks[k] + breaks[k + 1]) - position);
+      if (spline.is_periodic())
+        distance = (std::min)(distance, period - distance);
+      if (distance > reach && k != span)
+        continue;
+      sum += (breaks[k + 1] - breaks[k]) * curvatures[k];
+      total += breaks[k + 1] - breaks[k];
+    }
+    return sum / total;
   }
 
   void measure()
