@@ -23,6 +23,13 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
+// Creases along a curve, one after the other; their tangents point forward.
+struct Crease_path
+{
+  std::vector<Crease> creases;
+  bool is_closed = false;
+};
+
 // Follows creases of the surface, from one that the field asked for, step by step as far as the surface is folded.
 class Crease_tracer
 {
@@ -63,34 +70,40 @@ public:
 
   bool is_traced(const Local_curve& front) const { return runs_along(m_traced, front, reach()); }
 
-  // the creases along the curve are added to `creases`
-  Traced_curve trace(const Crease& seed, std::vector<Crease>& creases)
+  Crease_path trace(const Crease& seed)
   {
-    Traced_curve curve;
+    Crease_path path;
     std::vector<Crease> forward, backward;
     Segment_grid own;
-    curve.is_closed = follow(seed, own, forward);
-    if (!curve.is_closed) {
+    path.is_closed = follow(seed, own, forward);
+    if (!path.is_closed) {
       Crease reversed = seed;
       reversed.curve.tangent = -seed.curve.tangent;
       for (std::size_t k = trail; k < forward.size(); ++k)
         own.add(0, {forward[k - 1].curve.point, forward[k].curve.point});
       follow(reversed, own, backward);
     }
-    curve.tips[0] = backward.empty() ? seed.curve : backward.back().curve;
-    curve.tips[1] = forward.empty() ? seed.curve : forward.back().curve;
-    if (backward.empty())
-      curve.tips[0].tangent = -seed.curve.tangent;
-    for (auto it = backward.rbegin(); it != backward.rend(); ++it)
-      curve.points.push_back(it->curve.point);
-    curve.points.push_back(seed.curve.point);
-    for (const Crease& crease : forward)
+    for (auto it = backward.rbegin(); it != backward.rend(); ++it) {
+      path.creases.push_back(*it);
+      path.creases.back().curve.tangent = -it->curve.tangent;
+    }
+    path.creases.push_back(seed);
+    path.creases.insert(path.creases.end(), forward.begin(), forward.end());
+    return path;
+  }
+
+  Traced_curve curve_along(const Crease_path& path) const
+  {
+    Traced_curve curve;
+    curve.is_closed = path.is_closed;
+    for (const Crease& crease : path.creases)
       curve.points.push_back(crease.curve.point);
-    if (curve.is_closed)
-      curve.points.push_back(seed.curve.point);
+    curve.tips[0] = path.creases.front().curve;
+    curve.tips[0].tangent = -curve.tips[0].tangent;
+    curve.tips[1] = path.creases.back().curve;
+    if (path.is_closed)
+      curve.points.push_back(curve.points.front());
     curve.residuals.assign(curve.points.size(), m_options.surface_noise);
-    creases.insert(creases.end(), forward.begin(), forward.end());
-    creases.insert(creases.end(), backward.begin(), backward.end());
     return curve;
   }
 

@@ -12,7 +12,8 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_JOIN_CURVE_ENDS_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_JOIN_CURVE_ENDS_H
 
-#include <CGAL/Wireframe_extraction/internal/Curve_network.h>
+#include <CGAL/Wireframe_extraction/internal/Network_editor.h>
+#include <CGAL/Wireframe_extraction/internal/Tangency_resolver.h>
 
 #include <Eigen/LU>
 
@@ -58,43 +59,23 @@ struct Position_belief
   double disagreement() const { return (std::max)(0., constant - weighted.dot(mean())); }
 };
 
-struct Joining_options
+// Joins the ends of traced curves in a network.
+class Curve_end_joiner : private Network_editor
 {
-  double noise = 0.1;
-  double reach = 5.;              // ends farther apart are not compared
-  double maximum_disagreement = 12.;
-  double rounded_turn = 0.8;      // joints of two curves that turn by less are rather rounded than sharp
-  double smooth_turn = 0.35;      // joints of two curves that turn by less are no corners
-
-  double maximum_bridge = 18.;    // gap between ends that face each other
-
-  double along() const { return 0.9 + 2. * noise; }
-  double across() const { return 0.2 + 0.7 * noise; }
-};
-
-// Joins the ends of traced curves to a network.
-class Curve_end_joiner
-{
-  typedef std::pair<std::size_t, int> Curve_end;
-
-  const Joining_options m_options;
-  Curve_network m_network;
-
 public:
-  Curve_end_joiner(Curve_network network, const Joining_options& options)
-    : m_options(options), m_network(std::move(network))
-  {}
-
-  const Curve_network& network() const { return m_network; }
+  using Network_editor::Network_editor;
 
   void join()
   {
+    Tangency_resolver tangencies(m_network, m_options);
+    tangencies.bridge_tangencies();
     merge_nodes_that_agree();
     attach_ends_to_passing_curves();
     dissolve_smooth_joints();
     bridge_gaps();
     extend_free_ends();
     dissolve_smooth_joints();
+    tangencies.separate_tangent_curves();
   }
 
   // Removes joints of two curves where a rounded course explains the field better than a corner:
@@ -353,30 +334,6 @@ private:
     return true;
   }
 
-  // lets the curve end in the node: what went beyond it is cut off
-  void attach(const Curve_end& end, std::size_t node)
-  {
-    Network_curve& curve = m_network.curves[end.first];
-    const Vector& target = m_network.nodes[node];
-    if (end.second == 0)
-      std::reverse(curve.points.begin(), curve.points.end());
-    std::size_t nearest = 0;
-    const std::size_t first = curve.points.size() / 2;
-    double best = (std::numeric_limits<double>::infinity)();
-    for (std::size_t i = first; i < curve.points.size(); ++i) {
-      const double d = (curve.points[i] - target).squaredNorm();
-      if (d < best) { best = d; nearest = i; }
-    }
-    // the last points before the node lie where several curves disturb each other
-    while (nearest > first && nearest > 1 && (curve.points[nearest] - target).norm() < 0.75)
-      --nearest;
-    curve.points.resize(nearest + 1);
-    curve.points.push_back(target);
-    if (end.second == 0)
-      std::reverse(curve.points.begin(), curve.points.end());
-    curve.nodes[end.second] = node;
-  }
-
   // a node next to the inside of another curve splits that curve
   void attach_ends_to_passing_curves()
   {
@@ -422,14 +379,6 @@ private:
       split_curve(split.curve, split.hit, split.node);
   }
 
-  bool is_inside(const Segment_grid::Hit& hit) const
-  {
-    const std::vector<Vector>& points = m_network.curves[hit.curve].points;
-    if (m_network.curves[hit.curve].is_closed_without_node())
-      return true;
-    return (hit.point - points.front()).norm() > 2.5 && (hit.point - points.back()).norm() > 2.5;
-  }
-
   void split_curve(std::size_t c, const Segment_grid::Hit& hit, std::size_t node)
   {
     const Curve_network& network = m_network;
@@ -470,24 +419,6 @@ private:
     m_network.curves.push_back(second);
   }
 
-  static void set_tip(Network_curve& curve, int e)
-  {
-    const std::vector<Vector>& p = curve.points;
-    const Vector& end = e == 0 ? p.front() : p.back();
-    // the direction over about two sampling distances
-    Vector inner = e == 0 ? p.back() : p.front();
-    for (std::size_t k = 1; k < p.size(); ++k) {
-      const Vector& q = e == 0 ? p[k] : p[p.size() - 1 - k];
-      if ((q - end).norm() > 2.) { inner = q; break; }
-    }
-    curve.tips[e].point = end;
-    curve.tips[e].tangent = (end - inner).norm() > 0. ? (end - inner).normalized() : Vector(Vector::UnitX());
-    curve.tips[e].bend.setZero();
-    curve.ends_in_void[e] = false;
-  }
-
-  static void set_tips(Network_curve& curve) { set_tip(curve, 0); set_tip(curve, 1); }
-
   static std::vector<Vector> straight(const Vector& a, const Vector& b)
   {
     const std::size_t count = (std::max)(std::size_t(4), static_cast<std::size_t>(2. * (b - a).norm()));
@@ -495,24 +426,6 @@ private:
     for (std::size_t k = 0; k <= count; ++k)
       points.push_back(a + (b - a) * (double(k) / double(count)));
     return points;
-  }
-
-  // the polyline without what lies within `reach` of its end, which comes last
-  static std::vector<Vector> cut_back(std::vector<Vector> points, int end, double reach)
-  {
-    if (end == 0)
-      std::reverse(points.begin(), points.end());
-    const Vector last = points.back();
-    while (!points.empty() && (points.back() - last).norm() < reach)
-      points.pop_back();
-    return points;
-  }
-
-  static Vector end_direction(const std::vector<Vector>& points)
-  {
-    const std::size_t n = points.size();
-    const Vector last = (points[n - 1] - points[n - 2]).normalized();
-    return n < 3 ? last : Vector((1.5 * last - 0.5 * (points[n - 2] - points[n - 3]).normalized()).normalized());
   }
 
   // leads smoothly from the end of a polyline to another place, about on a circle where that is possible
@@ -571,171 +484,11 @@ private:
     }
   }
 
-  // two curves that meet in a node where nothing else ends and that hardly turn there are one curve
-  void dissolve_smooth_joints()
-  {
-    for (bool changed = true; changed; ) {
-      changed = false;
-      const auto incidences = m_network.incidences();
-      std::vector<char> is_touched(m_network.curves.size(), 0);  // its incidences are out of date
-      for (const std::vector<Curve_end>& ends : incidences) {
-        if (ends.size() != 2 || is_touched[ends[0].first] || is_touched[ends[1].first]
-            || tip(ends[0]).tangent.dot(tip(ends[1]).tangent) > -std::cos(m_options.smooth_turn))
-          continue;
-        if (ends[0].first == ends[1].first)
-          close(m_network.curves[ends[0].first]);
-        else
-          concatenate(ends[0], ends[1]);
-        is_touched[ends[0].first] = is_touched[ends[1].first] = 1;
-        changed = true;
-      }
-    }
-  }
-
-  static void close(Network_curve& curve)
-  {
-    curve.nodes = {no_node, no_node};
-  }
-
-  // appends the curve of `b` to that of `a`; the latter's other end keeps its place
-  void concatenate(const Curve_end& a, const Curve_end& b)
-  {
-    Network_curve& first = m_network.curves[a.first];
-    Network_curve& second = m_network.curves[b.first];
-    std::vector<Vector> head = first.points, tail = second.points;
-    if (a.second == 0)
-      std::reverse(head.begin(), head.end());
-    if (b.second == 1)
-      std::reverse(tail.begin(), tail.end());
-    // the common node was an estimate of where they meet, no point of the curve
-    head.pop_back();
-    head.insert(head.end(), tail.begin() + 1, tail.end());
-    const int kept = 1 - a.second, taken = 1 - b.second;
-    Network_curve joined;
-    joined.points = head;
-    joined.nodes = {first.nodes[kept], second.nodes[taken]};
-    joined.tips = {first.tips[kept], second.tips[taken]};
-    joined.ends_in_void = {first.ends_in_void[kept], second.ends_in_void[taken]};
-    first = joined;
-    second.is_alive = false;
-  }
-
   // free ends that face each other
   void bridge_gaps()
   {
-    const auto incidences = m_network.incidences();
-    std::vector<Curve_end> free_ends;
-    std::vector<Vector> positions;
-    for (std::size_t node = 0; node < incidences.size(); ++node)
-      if (incidences[node].size() == 1) {
-        free_ends.push_back(incidences[node][0]);
-        positions.push_back(tip(free_ends.back()).point);
-      }
-    const Ball_search search(positions);
-    struct Bridge { double cost; std::size_t from, to; double depths[2]; };
-    std::vector<Bridge> bridges;
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < free_ends.size(); ++i) {
-      search.query(positions[i], m_options.maximum_bridge, found);
-      for (std::size_t j : found) {
-        if (i >= j)
-          continue;
-        // where the field is wrong, the last part of a curve may have gone astray: what lies deeper may lead on better
-        Bridge best{1., i, j, {0., 0.}};
-        for (double depth_i : depths)
-          for (double depth_j : depths) {
-            const double cost = bridging_cost(free_ends[i], depth_i, free_ends[j], depth_j)
-              + 0.05 * (depth_i + depth_j);
-            if (cost < best.cost)
-              best = {cost, i, j, {depth_i, depth_j}};
-          }
-        if (best.cost < 1.)
-          bridges.push_back(best);
-      }
-    }
-    std::sort(bridges.begin(), bridges.end(), [](const Bridge& a, const Bridge& b) {
-      return std::tie(a.cost, a.from, a.to) < std::tie(b.cost, b.from, b.to);
-    });
-    std::vector<char> is_taken(free_ends.size(), 0);
-    for (const Bridge& bridge : bridges) {
-      if (is_taken[bridge.from] || is_taken[bridge.to])
-        continue;
-      is_taken[bridge.from] = is_taken[bridge.to] = 1;
-      shorten(free_ends[bridge.from], bridge.depths[0]);
-      shorten(free_ends[bridge.to], bridge.depths[1]);
-      const std::size_t node = m_network.nodes.size();
-      m_network.nodes.push_back(0.5 * (tip(free_ends[bridge.from]).point + tip(free_ends[bridge.to]).point));
-      attach(free_ends[bridge.from], node);
-      attach(free_ends[bridge.to], node);
-    }
-  }
-
-  static constexpr double depths[] = {0., 3., 6.};
-
-  // the outward course at some depth behind the end; the tip itself at depth 0
-  Local_curve inner_tip(const Curve_end& end, double depth) const
-  {
-    if (depth == 0.)
-      return tip(end);
-    const std::vector<Vector> rest = cut_back(m_network.curves[end.first].points, end.second, depth);
-    Local_curve result;
-    result.point = rest.back();
-    // directions of the last piece and the one before it, extrapolated to the end as far as noise allows
-    const double extrapolation = 0.5 * (std::max)(0., 1. - 10. * m_options.noise);
-    const std::vector<Vector> inner = cut_back(rest, 1, 1.5);
-    const std::vector<Vector> innermost = inner.empty() ? inner : cut_back(inner, 1, 1.5);
-    if (innermost.empty())
-      result.tangent = end_direction(rest);
-    else
-      result.tangent = ((1. + extrapolation) * (rest.back() - inner.back()).normalized()
-                        - extrapolation * (inner.back() - innermost.back()).normalized()).normalized();
-    return result;
-  }
-
-  // whether enough of the curve is left behind that depth
-  bool has_depth(const Curve_end& end, double depth) const
-  {
-    return depth == 0. || cut_back(m_network.curves[end.first].points, end.second, depth + 6.).size() >= 3;
-  }
-
-  void shorten(const Curve_end& end, double depth)
-  {
-    // an earlier bridge may have shortened the other end of the same curve
-    if (depth == 0. || !has_depth(end, depth))
-      return;
-    const Local_curve shorter_tip = inner_tip(end, depth);
-    Network_curve& curve = m_network.curves[end.first];
-    std::vector<Vector> rest = cut_back(curve.points, end.second, depth);
-    if (end.second == 0)
-      std::reverse(rest.begin(), rest.end());
-    curve.points = rest;
-    curve.tips[end.second] = shorter_tip;
-  }
-
-  const Local_curve& tip(const Curve_end& end) const { return m_network.curves[end.first].tips[end.second]; }
-
-  // below 1 where a smooth curve can lead from one end to the other
-  double bridging_cost(const Curve_end& a, double depth_a, const Curve_end& b, double depth_b) const
-  {
-    if (!has_depth(a, depth_a) || !has_depth(b, depth_b))
-      return (std::numeric_limits<double>::infinity)();
-    const Local_curve ta = inner_tip(a, depth_a), tb = inner_tip(b, depth_b);
-    const Vector offset = tb.point - ta.point;
-    const double gap = offset.norm();
-    const double infinity = (std::numeric_limits<double>::infinity)();
-    if (a.first == b.first && polyline_length(m_network.curves[a.first].points) < 8. + gap)
-      return infinity;
-    if (!(gap > 0.))
-      return 0.;
-    // the end of a circular arc that starts at one tip and passes through the other one
-    const Vector chord = offset / gap;
-    const Vector arrival = 2. * chord.dot(ta.tangent) * chord - ta.tangent;
-    const double mismatch = (arrival + tb.tangent).norm();
-    const double turn = 2. * std::acos((std::min)(1., (std::max)(-1., chord.dot(ta.tangent))));
-    const double limit = 0.35 + 0.5 * m_options.noise + 1.5 * m_options.across() / (gap + 1.);
-    if (turn > 1.2)
-      return infinity;
-    return (std::max)({mismatch / limit, turn / (0.35 + 0.06 * gap), gap / m_options.maximum_bridge});
+    const std::vector<Curve_end> ends = free_ends();
+    bridge(ends, [](std::size_t, std::size_t) { return true; });
   }
 };
 

@@ -167,14 +167,14 @@ private:
     for (std::size_t i : seeds) {
       if (tracer.is_traced(m_creases[i].curve))
         continue;
-      std::vector<Crease> creases;
-      const Traced_curve curve = tracer.trace(m_creases[i], creases);
+      const Crease_path path = tracer.trace(m_creases[i]);
+      const Traced_curve curve = tracer.curve_along(path);
       if (curve.length() < 3. || tracer.share_of_support(curve.points) < 0.3)
         continue;
       tracer.keep(curve);
       m_curves.push_back(curve);
       m_creases[i].is_traced = true;
-      m_creases.insert(m_creases.end(), creases.begin(), creases.end());
+      m_creases.insert(m_creases.end(), path.creases.begin(), path.creases.end());
     }
   }
 

@@ -426,7 +426,7 @@ private:
   // third derivative is -k^2 times the first one; what differs from that is rough.
   void add_roughness(ceres::Problem& problem)
   {
-    const double roughness = 0.05 + 30. * m_noise;
+    const double roughness = m_options.adapt_knots ? 0.05 + 30. * m_noise : 0.05;
     for (Fitted_curve& curve : m_curves) {
       const std::vector<double>& breaks = curve.spline.breaks();
       const std::vector<Vector> curvatures = span_curvatures(curve.spline);
@@ -463,19 +463,25 @@ private:
   // the mean over some sampling distances: waves cancel, arcs add up
   static Vector typical_curvature(const Cubic_spline& spline, const std::vector<Vector>& curvatures, std::size_t span)
   {
+    static constexpr double reach = 6.;
     const std::vector<double>& breaks = spline.breaks();
-    const double reach = 6., position = 0.5 * (breaks[span] + breaks[span + 1]);
-    const double period = spline.back() - spline.front();
-    Vector sum = Vector::Zero();
-    double total = 0.;
-    for (std::size_t k = 0; k < curvatures.size(); ++k) {
-      double distance = std::abs(0.5 * (breaks[k] + breaks[k + 1]) - position);
-      if (spline.is_periodic())
-        distance = (std::min)(distance, period - distance);
-      if (distance > reach && k != span)
-        continue;
-      sum += (breaks[k + 1] - breaks[k]) * curvatures[k];
-      total += breaks[k + 1] - breaks[k];
+    const std::size_t n = curvatures.size();
+    const double period = spline.is_periodic() ? spline.back() - spline.front() : 0.;
+    const auto middle = [&](std::size_t k) { return 0.5 * (breaks[k] + breaks[k + 1]); };
+    double total = breaks[span + 1] - breaks[span];
+    Vector sum = total * curvatures[span];
+    for (const bool is_forward : {false, true}) {
+      const std::size_t most = spline.is_periodic() ? (n - 1) / 2 : is_forward ? n - 1 - span : span;
+      for (std::size_t step = 1; step <= most; ++step) {
+        const std::size_t k = (is_forward ? span + step : span + n - step) % n;
+        double distance = is_forward ? middle(k) - middle(span) : middle(span) - middle(k);
+        if (distance < 0.)
+          distance += period;
+        if (distance > reach)
+          break;
+        sum += (breaks[k + 1] - breaks[k]) * curvatures[k];
+        total += breaks[k + 1] - breaks[k];
+      }
     }
     return sum / total;
   }

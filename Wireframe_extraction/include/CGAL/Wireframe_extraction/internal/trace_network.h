@@ -69,7 +69,7 @@ private:
     return Tracing_options::tolerance(m_band.deviation(i, m_contraction.noise));
   }
 
-  Curve_network join(const Curve_network& network, bool is_smooth) const
+  Curve_network join(Curve_network network, bool is_smooth) const
   {
     const double least_gain = m_options.minimum_evidence;
     const Curve_evidence evidence(m_band, m_contraction.noise);
@@ -85,7 +85,7 @@ private:
       joiner.round_off([&](const Vector& center, double radius, const std::vector<const std::vector<Vector>*>& lines) {
         return sharp_evidence.loss_around(center, radius, lines);
       }, 0.5 * least_gain);
-      std::vector<double> distances = evidence.distances(polylines(joiner.network()));
+      std::vector<double> distances = evidence.distances(polylines(network));
       joiner.add_edges_between_nodes(10., [&](const std::vector<Vector>& edge) {
         return evidence.gain_of(edge, distances) - least_gain - 0.35 * least_gain * polyline_length(edge);
       }, [&](const std::vector<Vector>& edge) { evidence.add(edge, distances); });
@@ -96,7 +96,7 @@ private:
       joiner.join();
       joiner.drop_spurs(4. + 5. * m_contraction.noise, 2. + 4. * m_contraction.noise);
     }
-    return joiner.network();
+    return network;
   }
 
   // whether most of the points near a position say so
