@@ -436,9 +436,11 @@ private:
         const Cubic_spline::Basis first = curve.spline.basis(breaks[k - 1] + 0.25 * width),
                                   second = curve.spline.basis(breaks[k] - 0.25 * width),
                                   middle = curve.spline.basis(0.5 * (breaks[k] + breaks[k - 1]));
+        // the derivatives of short spans grow beyond bounds
+        const double weight = roughness * std::sqrt(width) * std::pow((std::min)(1., width), 2);
         std::array<double, 4> factors;
         for (int j = 0; j < 4; ++j)
-          factors[j] = roughness * std::sqrt(width)
+          factors[j] = weight
             * ((second.values[8 + j] - first.values[8 + j]) / (0.5 * width)
                + curvature.squaredNorm() * middle.values[4 + j]);
         problem.AddResidualBlock(new Roughness_residual(factors), nullptr, control(curve, first.controls[0]),
