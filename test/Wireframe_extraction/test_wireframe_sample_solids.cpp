@@ -201,6 +201,11 @@ std::vector<Facts> all_facts()
      {
        return (std::max)(box(p, {{-0.6, -0.5, 0}}, {{0.6, 0.5, 0.5}}), 0.4 - distance(p, {{0, 0, 0.69}}));
      }},
+    {"inscribed_boss", 8, 14, 14, 8, 2, 8 + 1.6 + 2 * pi, 3.6 + 0.4 * pi, [](const Point& p)
+     {
+       return (std::min)(box(p, {{-0.5, -0.5, 0}}, {{0.5, 0.5, 0.4}}),
+                         (std::max)({cylinder_z(p, 0, 0, 0.5), -p[2], p[2] - 0.8}));
+     }},
     {"crossing_cylinders", 7, 6, 6, 0, 6, 1.6 * pi + pi + 2 * crossing_length(0.4, 0.25),
      2 * pi * 0.16 + 1.2 * pi + 2 * pi * 0.0625 - 2 * window_area(0.4, 0.25) + 2 * stub_area(0.4, 0.25, 0.85),
      crossing},

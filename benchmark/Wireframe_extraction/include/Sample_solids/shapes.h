@@ -135,6 +135,21 @@ inline void add_dimple(Solid& solid)
   solid.add_face(cap);
 }
 
+inline void add_inscribed_boss(Solid& solid)
+{
+  const double side = 1.0, height = 0.4, radius = side / 2;
+  const Extrusion block = add_block(solid, side, side, height);
+  const Frame low = frame_at(0, 0, height), high = frame_at(0, 0, 2 * height);
+  const std::size_t foot = solid.add_circle(low, radius), rim = solid.add_circle(high, radius);
+  Face& top = solid.faces[block.top];
+  top.edges.push_back(foot);
+  top.trims.push_back([radius](const Point& p) { return std::hypot(p[0], p[1]) - radius; });
+  solid.add_face(revolved_line(low, radius, 0, radius, height));
+  solid.faces.back().edges = {foot, rim};
+  solid.add_face(disc(high, 0, radius));
+  solid.faces.back().edges = {rim};
+}
+
 /// The curve in which the thin cylinder (about x) meets the thick one (about z); `sign` tells the side.
 inline std::size_t add_crossing(Solid& solid, double thick, double thin, double sign)
 {
@@ -249,6 +264,7 @@ inline std::vector<std::pair<std::string, std::string> > solid_names()
           {"wedge_30", "a wedge of 30 degrees"},
           {"wedge_60", "a wedge of 60 degrees"},
           {"dimple", "a block with a spherical dimple"},
+          {"inscribed_boss", "a block with a round boss that touches its upper edges"},
           {"crossing_cylinders", "two crossing cylinders of different radius"},
           {"u_channel", "a U-channel"},
           {"slotted_plate", "a plate with a slot whose outline is tangent lines and arcs"},
@@ -277,6 +293,7 @@ inline Solid make_solid(const std::string& name, const Solid_options& options = 
   else if (name == "wedge_30") internal::add_wedge(solid, 30);
   else if (name == "wedge_60") internal::add_wedge(solid, 60);
   else if (name == "dimple") internal::add_dimple(solid);
+  else if (name == "inscribed_boss") internal::add_inscribed_boss(solid);
   else if (name == "crossing_cylinders") internal::add_crossing_cylinders(solid);
   else if (name == "u_channel") internal::add_channel(solid);
   else if (name == "slotted_plate") internal::add_slotted_plate(solid);

@@ -488,7 +488,10 @@ private:
   void bridge_gaps()
   {
     const std::vector<Curve_end> ends = free_ends();
-    bridge(ends, [](std::size_t, std::size_t) { return true; });
+    bridge(ends, [](std::size_t, std::size_t) { return true; }, [this](const Bridging_arc& arc) {
+      return arc.turn <= 1.2 ? (std::max)({arc.mismatch, arc.turn / (0.35 + 0.06 * arc.gap),
+                                           arc.gap / m_options.maximum_bridge}) : 1.;
+    });
   }
 };
 

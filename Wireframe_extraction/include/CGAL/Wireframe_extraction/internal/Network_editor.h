@@ -168,9 +168,10 @@ protected:
     second.is_alive = false;
   }
 
-  // joins those pairs of ends that may be joined and lead on smoothly to each other, the best ones first
-  template <class May_join>
-  void bridge(const std::vector<Curve_end>& ends, const May_join& may_join)
+  // Joins those pairs of ends that may be joined, may_join(i, j), the cheapest ones first, if they cost less than 1:
+  // cost_of(arc) of the arc that bridges the gap.
+  template <class May_join, class Cost>
+  void bridge(const std::vector<Curve_end>& ends, const May_join& may_join, const Cost& cost_of)
   {
     std::vector<Vector> positions;
     for (const Curve_end& end : ends)
@@ -188,8 +189,7 @@ protected:
         Bridge best{1., i, j, {0., 0.}};
         for (double depth_i : depths)
           for (double depth_j : depths) {
-            const double cost = bridging_cost(ends[i], depth_i, ends[j], depth_j)
-              + 0.05 * (depth_i + depth_j);
+            const double cost = cost_of(bridging_arc(ends[i], depth_i, ends[j], depth_j)) + 0.05 * (depth_i + depth_j);
             if (cost < best.cost)
               best = {cost, i, j, {depth_i, depth_j}};
           }
@@ -303,15 +303,6 @@ protected:
     arc.turn = 2. * std::acos((std::min)(1., (std::max)(-1., chord.dot(ta.tangent))));
     arc.mismatch = (arrival + tb.tangent).norm() / limit;
     return arc;
-  }
-
-  // below 1 where a smooth curve can lead from one end to the other
-  double bridging_cost(const Curve_end& a, double depth_a, const Curve_end& b, double depth_b) const
-  {
-    const Bridging_arc arc = bridging_arc(a, depth_a, b, depth_b);
-    if (!(arc.turn <= 1.2))
-      return (std::numeric_limits<double>::infinity)();
-    return (std::max)({arc.mismatch, arc.turn / (0.35 + 0.06 * arc.gap), arc.gap / m_options.maximum_bridge});
   }
 };
 

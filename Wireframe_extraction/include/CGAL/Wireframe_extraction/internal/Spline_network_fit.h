@@ -413,13 +413,33 @@ private:
     if (!summary.IsSolutionUsable()) {   // cancelling leaves the last state as well
       m_vertices = vertices;
       m_curves = curves;
-    }
+    } else
+      take_back_strays(vertices, curves);
     for (Fitted_curve& curve : m_curves)
       if (!curve.is_closed_without_vertex()) {
         curve.spline.points().front() = m_vertices[curve.vertices[0]];
         curve.spline.points().back() = m_vertices[curve.vertices[1]];
       }
     return !stop.is_cancelled;
+  }
+
+  // Where a robust loss has lost all points, nothing holds a curve any more. What left its place by more than any point
+  // of its support is away from it, goes back there.
+  void take_back_strays(const std::vector<Vector>& vertices, const std::vector<Fitted_curve>& curves)
+  {
+    const double farthest = 2. * (m_options.support_distance + 1.);
+    const auto is_stray = [&](const Vector& now, const Vector& before) { return !((now - before).norm() < farthest); };
+    for (std::size_t v = 0; v < m_vertices.size(); ++v)
+      if (is_stray(m_vertices[v], vertices[v]))
+        m_vertices[v] = vertices[v];
+    for (std::size_t c = 0; c < m_curves.size(); ++c) {
+      const std::vector<Vector> &now = m_curves[c].spline.points(), &before = curves[c].spline.points();
+      for (std::size_t i = 0; i < now.size(); ++i)
+        if (is_stray(now[i], before[i])) {
+          m_curves[c] = curves[c];
+          break;
+        }
+    }
   }
 
   // A prior for curves whose curvature changes slowly, the stronger the more the field errs. On an arc of curvature k the

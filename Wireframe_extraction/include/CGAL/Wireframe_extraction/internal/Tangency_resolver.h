@@ -67,7 +67,7 @@ public:
       return (a.is_touching || b.is_touching)
         && (a.touched == b.touched || a.touched == Segment_grid::no_curve || b.touched == Segment_grid::no_curve)
         && node_of(ends[i]) != node_of(ends[j]);
-    });
+    }, [](const Bridging_arc& arc) { return arc.turn < largest_turn ? arc.mismatch : 1.; });
     dissolve_smooth_joints();
   }
 
@@ -95,7 +95,7 @@ public:
           continue;
         std::vector<Curve_end> sides[2];
         for (const Curve_end& end : ends)
-          sides[tip(end).tangent.dot(tip(ends[0]).tangent) < 0.].push_back(end);
+          sides[direction(end).dot(direction(ends[0])) < 0.].push_back(end);
         if (sides[0].size() == 2 && lead_on(sides[1], sides[0][0]) && lead_on(sides[1], sides[0][1]))
           changed = separate(sides[0], sides[1], {m_network.nodes[node]});
       }
@@ -120,20 +120,30 @@ private:
     return result;
   }
 
+  // the course behind the last part, where other curves disturb it
+  Vector direction(const Curve_end& end) const
+  {
+    return inner_tip(end, has_depth(end, depths[1]) ? depths[1] : 0.).tangent;
+  }
+
   bool lead_on(const std::vector<Curve_end>& ends, const Curve_end& from) const
   {
     return std::all_of(ends.begin(), ends.end(), [&](const Curve_end& end) {
-      return tip(end).tangent.dot(tip(from).tangent) < -std::cos(tangential_turn); });
+      return direction(end).dot(direction(from)) < -std::cos(tangential_turn); });
   }
 
   // Joins each end on one side to the one on the other side that it leads to, if it is clear which one that is.
   bool separate(const std::vector<Curve_end>& a, const std::vector<Curve_end>& b, const std::vector<Vector>& between)
   {
-    const double straight = least_mismatch(a[0], b[0]) + least_mismatch(a[1], b[1]),
-                 crossed = least_mismatch(a[0], b[1]) + least_mismatch(a[1], b[0]);
-    if (!((std::min)(straight, crossed) < 1.))
+    double sums[2], largest[2];
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double first = mismatch(a[0], b[k]), second = mismatch(a[1], b[1 - k]);
+      sums[k] = first + second;
+      largest[k] = (std::max)(first, second);
+    }
+    const std::size_t partner = sums[0] < sums[1] ? 0 : 1;
+    if (!(largest[partner] < 1.))
       return false;
-    const std::size_t partner = straight < crossed ? 0 : 1;
     const std::array<std::size_t, 2> nodes = {node_of(a[0]), node_of(b[0])};
     lead_through(a[0], b[partner], between);
     // what is left in the nodes leads on as well
@@ -145,17 +155,16 @@ private:
     return true;
   }
 
-  // of an arc from one end to the other; the last parts lie where the two curves disturb each other
-  double least_mismatch(const Curve_end& a, const Curve_end& b) const
+  // of an arc from one end to the other, as far behind the ends as possible: close to them the two curves disturb each
+  // other
+  double mismatch(const Curve_end& a, const Curve_end& b) const
   {
-    double least = (std::numeric_limits<double>::infinity)();
-    for (double depth_a : depths)
-      for (double depth_b : depths) {
-        const Bridging_arc arc = bridging_arc(a, depth_a, b, depth_b);
-        if (depth_a > 0. && depth_b > 0. && arc.turn < largest_turn)
-          least = (std::min)(least, arc.mismatch);
-      }
-    return least;
+    for (double depth : {9., 6., 3.}) {
+      const Bridging_arc arc = bridging_arc(a, depth, b, depth);
+      if (arc.turn < largest_turn)
+        return arc.mismatch;
+    }
+    return (std::numeric_limits<double>::infinity)();
   }
 
   // appends the polyline to the curve of `a`, and joins that to the curve of `b`
