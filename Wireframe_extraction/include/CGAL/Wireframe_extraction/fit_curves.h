@@ -145,7 +145,8 @@ fits one cubic B-spline to every path of the topological graph, all at once: the
 rho(d_j - |p_j - gamma(u_j)|) is minimized (eq. 3 of Matveev et al. 2021, with a robust loss) over the control points by
 Ceres with analytic derivatives. The curves that meet in a corner share it as a parameter, so that it moves to where
 they meet; closed curves without corner are periodic, so that position and tangent agree where they close. Between the
-rounds, the feet of the points are found anew, and knots are added where residuals ask for them.
+rounds, the feet of the points are found anew, and knots are added where residuals ask for them. Changes of curvature
+along a spline cost the more the noisier the field is, so that splines do not follow the noise; lines and arcs are free.
 
 \tparam GeomTraits a model of `WireframeExtractionTraits_3`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
