@@ -86,6 +86,16 @@ inline void add_frustum(Solid& solid, double radius_0, double radius_1, double h
   solid.faces.back().edges = {low_circle, high_circle};
 }
 
+/// cuts a disc about the z-axis out of a plane face; returns its circle.
+inline std::size_t cut_disc(Solid& solid, std::size_t plane_face, const Frame& frame, double radius)
+{
+  const std::size_t circle = solid.add_circle(frame, radius);
+  Face& face = solid.faces[plane_face];
+  face.edges.push_back(circle);
+  face.trims.push_back([radius](const Point& p) { return std::hypot(p[0], p[1]) - radius; });
+  return circle;
+}
+
 inline void add_block_with_hole(Solid& solid)
 {
   const Extrusion block = add_block(solid, 1.2, 1.0, 0.6);
@@ -121,10 +131,7 @@ inline void add_dimple(Solid& solid)
   const double height = 0.5, radius = 0.4, above = 0.19;
   const double rim = std::sqrt(radius * radius - above * above);
   const Extrusion block = add_block(solid, 1.2, 1.0, height);
-  const std::size_t circle = solid.add_circle(frame_at(0, 0, height), rim);
-  Face& top = solid.faces[block.top];
-  top.edges.push_back(circle);
-  top.trims.push_back([rim](const Point& p) { return std::hypot(p[0], p[1]) - rim; });
+  const std::size_t circle = cut_disc(solid, block.top, frame_at(0, 0, height), rim);
   Face cap;
   cap.patch = Face::Patch::REVOLVED_ARC;
   cap.frame = frame_at(0, 0, height + above);
@@ -140,10 +147,7 @@ inline void add_inscribed_boss(Solid& solid)
   const double side = 1.0, height = 0.4, radius = side / 2;
   const Extrusion block = add_block(solid, side, side, height);
   const Frame low = frame_at(0, 0, height), high = frame_at(0, 0, 2 * height);
-  const std::size_t foot = solid.add_circle(low, radius), rim = solid.add_circle(high, radius);
-  Face& top = solid.faces[block.top];
-  top.edges.push_back(foot);
-  top.trims.push_back([radius](const Point& p) { return std::hypot(p[0], p[1]) - radius; });
+  const std::size_t foot = cut_disc(solid, block.top, low, radius), rim = solid.add_circle(high, radius);
   solid.add_face(revolved_line(low, radius, 0, radius, height));
   solid.faces.back().edges = {foot, rim};
   solid.add_face(disc(high, 0, radius));

@@ -192,14 +192,12 @@ public:
   template <class Is_on_crease>
   void trim_free_ends(const Is_on_crease& is_on_crease, double longest)
   {
-    for (const std::vector<Curve_end>& ends : m_network.incidences()) {
-      if (ends.size() != 1)
-        continue;
-      Network_curve& curve = m_network.curves[ends[0].first];
+    for (const Curve_end& end : free_ends()) {
+      Network_curve& curve = m_network.curves[end.first];
       if (!curve.is_alive)
         continue;
       std::vector<Vector> points = curve.points;
-      if (ends[0].second == 0)
+      if (end.second == 0)
         std::reverse(points.begin(), points.end());
       std::size_t last = points.size();
       int run = 0;
@@ -217,11 +215,11 @@ public:
         curve.is_alive = false;
         continue;
       }
-      if (ends[0].second == 0)
+      if (end.second == 0)
         std::reverse(points.begin(), points.end());
       curve.points = points;
-      set_tip(curve, ends[0].second);
-      m_network.nodes[curve.nodes[ends[0].second]] = curve.tips[ends[0].second].point;
+      set_tip(curve, end.second);
+      m_network.nodes[curve.nodes[end.second]] = curve.tips[end.second].point;
     }
     dissolve_smooth_joints();
   }
@@ -487,8 +485,7 @@ private:
   // free ends that face each other
   void bridge_gaps()
   {
-    const std::vector<Curve_end> ends = free_ends();
-    bridge(ends, [](std::size_t, std::size_t) { return true; }, [this](const Bridging_arc& arc) {
+    bridge(free_ends(), [](std::size_t, std::size_t) { return true; }, [this](const Bridging_arc& arc) {
       return arc.turn <= 1.2 ? (std::max)({arc.mismatch, arc.turn / (0.35 + 0.06 * arc.gap),
                                            arc.gap / m_options.maximum_bridge}) : 1.;
     });

@@ -122,10 +122,7 @@ protected:
         if (ends.size() != 2 || is_touched[ends[0].first] || is_touched[ends[1].first]
             || tip(ends[0]).tangent.dot(tip(ends[1]).tangent) > -std::cos(m_options.smooth_turn))
           continue;
-        if (ends[0].first == ends[1].first)
-          close(m_network.curves[ends[0].first]);
-        else
-          concatenate(ends[0], ends[1]);
+        join_ends(ends[0], ends[1]);
         is_touched[ends[0].first] = is_touched[ends[1].first] = 1;
         changed = true;
       }

@@ -128,8 +128,9 @@ private:
 
   bool lead_on(const std::vector<Curve_end>& ends, const Curve_end& from) const
   {
+    const Vector onward = direction(from);
     return std::all_of(ends.begin(), ends.end(), [&](const Curve_end& end) {
-      return direction(end).dot(direction(from)) < -std::cos(tangential_turn); });
+      return direction(end).dot(onward) < -std::cos(tangential_turn); });
   }
 
   // Joins each end on one side to the one on the other side that it leads to, if it is clear which one that is.
