@@ -42,6 +42,8 @@ struct Minimal_traits
   {
     const FT* operator()(const Point_3& p) const { return p.coordinates; }
     const FT* operator()(const Point_3& p, int) const { return p.coordinates + 3; }
+    const FT* operator()(const Vector_3& v) const { return v.coordinates; }
+    const FT* operator()(const Vector_3& v, int) const { return v.coordinates + 3; }
   };
 
   Construct_point_3 construct_point_3_object() const { return Construct_point_3(); }

@@ -54,14 +54,18 @@ public:
   typedef unspecified_type Construct_vector_3;
 
   /*!
-  A function object type that gives access to the coordinates of a point, by an iterator over three values
-  that `CGAL::to_double()` accepts. The iterator is valid as long as the point is. The first function returns
+  A function object type that gives access to the coordinates of a point or a vector, by an iterator over three
+  values that `CGAL::to_double()` accepts. The iterator is valid as long as the point or vector is. The first function returns
   the iterator to the first coordinate, the second, whose integer argument has no meaning, that behind the
   last one:
 
   `unspecified_type operator()(const Point_3& p) const`
 
   `unspecified_type operator()(const Point_3& p, int) const`
+
+  `unspecified_type operator()(const Vector_3& v) const`
+
+  `unspecified_type operator()(const Vector_3& v, int) const`
   */
   typedef unspecified_type Construct_cartesian_const_iterator_3;
 

@@ -13,6 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_WIREFRAME_H
 
 #include <CGAL/Wireframe_extraction/Spline_curve_3.h>
+#include <CGAL/Wireframe_extraction/Wireframe_conic.h>
 
 #include <cstddef>
 #include <limits>
@@ -32,6 +33,28 @@ enum class Wireframe_curve_type
   ELLIPTIC_ARC  ///< an arc of an ellipse
 };
 
+/// returns whether curves of this kind have a `Wireframe_curve::conic`.
+/// \ingroup PkgWireframeExtractionClasses
+inline bool is_conic(Wireframe_curve_type type)
+{
+  return type != Wireframe_curve_type::BSPLINE && type != Wireframe_curve_type::LINE;
+}
+
+/// \ingroup PkgWireframeExtractionClasses
+/// How far the parameters of a line, circle or ellipse may be off, as standard deviations. Zero where it is not known.
+///
+/// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
+template <class GeomTraits>
+struct Wireframe_curve_uncertainty
+{
+  typedef typename GeomTraits::FT FT;   ///< the number type
+
+  FT position = FT(0);       ///< of the center, or of the middle of a line, in the cloud's unit
+  FT direction = FT(0);      ///< of the axis, or of the direction of a line, in radians
+  FT major_radius = FT(0);   ///< of `Wireframe_conic::major_radius`, in the cloud's unit
+  FT minor_radius = FT(0);   ///< of `Wireframe_conic::minor_radius`, in the cloud's unit
+};
+
 /// \ingroup PkgWireframeExtractionClasses
 /// One curve of a wireframe: its geometry, its two vertices, and how well the field supports it.
 ///
@@ -48,6 +71,9 @@ struct Wireframe_curve
 
   Wireframe_curve_type type = Wireframe_curve_type::BSPLINE;  ///< the kind of the curve
   Spline spline;                        ///< the geometry; it starts and ends exactly at the vertices
+  Wireframe_conic<GeomTraits> conic;    ///< the parameters of a circle, an ellipse, or an arc; `spline` has the same
+                                        ///< shape, up to rounding. Without meaning for other kinds
+  Wireframe_curve_uncertainty<GeomTraits> uncertainty;   ///< of the parameters of a line or conic
   std::size_t source = no_vertex;       ///< index of the vertex at which the curve starts, or `no_vertex`
   std::size_t target = no_vertex;       ///< index of the vertex at which the curve ends, or `no_vertex`
   FT root_mean_square = FT(0);          ///< root mean square of the field's residuals on the curve, in the cloud's unit

@@ -142,7 +142,64 @@ private:
     curve.root_mean_square = FT(root_mean_square);
     curve.maximum_deviation = FT(maximum_deviation);
     curve.support = support;
-    return read_spline(json, curve);
+    return read_spline(json, curve) && read_parameters(json, curve);
+  }
+
+  // what a line or a conic has beside its spline; uncertainties may be missing
+  bool read_parameters(const Json& json, Curve& curve)
+  {
+    if(is_conic(curve.type) && !read_conic(json, curve.conic))
+      return false;
+    if(curve.type == Wireframe_curve_type::BSPLINE || !json.contains("uncertainty"))
+      return true;
+    const Json& uncertainty = json["uncertainty"];
+    double position = 0., direction = 0.;
+    if(!uncertainty.is_object())
+      return fail("\"uncertainty\" is " + found(json, "uncertainty") + ", it has to be an object");
+    if(!read_number(uncertainty, "position", position) || !read_number(uncertainty, "direction", direction))
+      return false;
+    curve.uncertainty.position = FT(position);
+    curve.uncertainty.direction = FT(direction);
+    return !is_conic(curve.type)
+           || read_pair(uncertainty, "radii", curve.uncertainty.major_radius, curve.uncertainty.minor_radius);
+  }
+
+  bool read_conic(const Json& json, Wireframe_conic<GeomTraits>& conic)
+  {
+    Coordinates center, axis, direction;
+    if(!read_triple(json, "center", center) || !read_triple(json, "axis", axis)
+       || !read_triple(json, "major_direction", direction)
+       || !read_pair(json, "radii", conic.major_radius, conic.minor_radius)
+       || !read_pair(json, "angles", conic.start_angle, conic.end_angle))
+      return false;
+    const auto vector = [this](const Coordinates& v)
+    {
+      return traits_.construct_vector_3_object()(FT(v[0]), FT(v[1]), FT(v[2]));
+    };
+    conic.center = traits_.construct_point_3_object()(FT(center[0]), FT(center[1]), FT(center[2]));
+    conic.axis = vector(axis);
+    conic.major_direction = vector(direction);
+    return true;
+  }
+
+  bool read_pair(const Json& json, const char* key, FT& first, FT& second)
+  {
+    std::vector<FT> numbers;
+    if(!json.contains(key) || !read_numbers(json, key, numbers) || numbers.size() != 2)
+      return fail(quote(key) + " is " + found(json, key) + ", it has to be an array of two finite numbers");
+    first = numbers[0];
+    second = numbers[1];
+    return true;
+  }
+
+  bool read_triple(const Json& json, const char* key, Coordinates& triple)
+  {
+    std::vector<FT> numbers;
+    if(!json.contains(key) || !read_numbers(json, key, numbers) || numbers.size() != 3)
+      return fail(quote(key) + " is " + found(json, key) + ", it has to be an array of three finite numbers");
+    for(std::size_t k = 0; k < 3; ++k)
+      triple[k] = CGAL::to_double(numbers[k]);
+    return true;
   }
 
   bool read_spline(const Json& json, Curve& curve)

@@ -47,10 +47,33 @@ std::string json_array(const Range& range, const To_text& to_text, const char* s
   return text + "]";
 }
 
-template <class GeomTraits>
-std::string json_point(const typename GeomTraits::Point_3& point, const GeomTraits& traits)
+// of a point or a vector
+template <class Position, class GeomTraits>
+std::string json_point(const Position& point, const GeomTraits& traits)
 {
   return json_array(coordinates_of(point, traits), json_number);
+}
+
+// the parameters of a line or a conic, beside the spline that every curve has
+template <class GeomTraits>
+std::string json_parameters(const Wireframe_curve<GeomTraits>& curve, const GeomTraits& traits)
+{
+  if(curve.type == Wireframe_curve_type::BSPLINE)
+    return "";
+  const auto number = [](const auto& value) { return json_number(CGAL::to_double(value)); };
+  std::string text;
+  if(is_conic(curve.type))
+    text = ",\"center\":" + json_point(curve.conic.center, traits) + ",\"axis\":"
+           + json_point(curve.conic.axis, traits) + ",\"major_direction\":"
+           + json_point(curve.conic.major_direction, traits) + ",\"radii\":[" + number(curve.conic.major_radius)
+           + "," + number(curve.conic.minor_radius) + "],\"angles\":[" + number(curve.conic.start_angle) + ","
+           + number(curve.conic.end_angle) + "]";
+  text += ",\"uncertainty\":{\"position\":" + number(curve.uncertainty.position) + ",\"direction\":"
+          + number(curve.uncertainty.direction);
+  if(is_conic(curve.type))
+    text += ",\"radii\":[" + number(curve.uncertainty.major_radius) + ","
+            + number(curve.uncertainty.minor_radius) + "]";
+  return text + "}";
 }
 
 template <class GeomTraits>
@@ -70,6 +93,7 @@ std::string json_curve(const Wireframe_curve<GeomTraits>& curve, const GeomTrait
                      + json_array(curve.spline.control_points(), to_point);
   if(curve.spline.is_rational())
     text += ",\"weights\":" + json_array(curve.spline.weights(), to_number);
+  text += json_parameters(curve, traits);
   return text + ",\"rms\":" + to_number(curve.root_mean_square) + ",\"max\":"
          + to_number(curve.maximum_deviation) + ",\"support\":" + std::to_string(curve.support) + "}";
 }
@@ -103,7 +127,9 @@ bool write_json(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
 /// "line", "circle", "arc", "ellipse" or "elliptic_arc"), `closed`, `source` and `target` (indices of
 /// vertices, `null` on a closed curve without vertex), `degree`, `knots`, `control_points`, `weights` (if it
 /// is rational), and how well the cloud supports it: `rms`, `max` (both in the unit of the wireframe) and
-/// `support` (a number of points).
+/// `support` (a number of points). A circle, an ellipse or an arc has the members of `Wireframe_conic` as `center`,
+/// `axis`, `major_direction`, `radii` (major, minor) and `angles` (start, end; in radians); it and a line have an
+/// object `uncertainty` with `position`, `direction` and, if there are any, `radii`.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
 /// \tparam NamedParameters a sequence of named parameters

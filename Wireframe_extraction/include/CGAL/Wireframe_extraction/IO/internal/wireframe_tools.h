@@ -29,8 +29,9 @@ namespace internal {
 
 typedef std::array<double, 3> Coordinates;
 
-template <class GeomTraits>
-Coordinates coordinates_of(const typename GeomTraits::Point_3& point, const GeomTraits& traits)
+// of a point or a vector
+template <class Position, class GeomTraits>
+Coordinates coordinates_of(const Position& point, const GeomTraits& traits)
 {
   Coordinates coordinates;
   auto iterator = traits.construct_cartesian_const_iterator_3_object()(point);
@@ -99,7 +100,79 @@ private:
     std::string problem = spline_problem(curve);
     if(problem.empty())
       problem = vertices_problem(curve);
-    return problem.empty() ? ends_problem(curve) : problem;
+    if(problem.empty())
+      problem = ends_problem(curve);
+    return problem.empty() ? type_problem(curve) : problem;
+  }
+
+  // A line and a conic have parameters beside the spline, and both must say the same.
+  std::string type_problem(const Curve& curve) const
+  {
+    const auto& u = curve.uncertainty;
+    for(const auto& value : { u.position, u.direction, u.major_radius, u.minor_radius })
+      if(!is_measure(CGAL::to_double(value)))
+        return "An uncertainty is not finite or is negative.";
+    if(!is_conic(curve.type))
+      return "";
+    std::string problem = conic_problem(curve.conic);
+    const bool is_full = curve.type == Wireframe_curve_type::CIRCLE
+                         || curve.type == Wireframe_curve_type::ELLIPSE;
+    const bool is_round = curve.type == Wireframe_curve_type::CIRCLE
+                          || curve.type == Wireframe_curve_type::ARC;
+    const double major = CGAL::to_double(curve.conic.major_radius);
+    if(problem.empty() && is_full != curve.is_closed())
+      problem = is_full ? "It is a full circle or ellipse, but not closed."
+                        : "It is an arc, but closed.";
+    if(problem.empty() && is_round && std::abs(major - CGAL::to_double(curve.conic.minor_radius)) > 1e-9 * major)
+      problem = "It is a circle, but its radii differ.";
+    if(problem.empty())
+      problem = conic_ends_problem(curve);
+    return problem;
+  }
+
+  std::string conic_problem(const Wireframe_conic<GeomTraits>& conic) const
+  {
+    const Coordinates axis = coordinates_of(conic.axis, traits_);
+    const Coordinates direction = coordinates_of(conic.major_direction, traits_);
+    const double major = CGAL::to_double(conic.major_radius), minor = CGAL::to_double(conic.minor_radius);
+    const double sweep = CGAL::to_double(conic.end_angle) - CGAL::to_double(conic.start_angle);
+    if(!is_finite_point(coordinates_of(conic.center, traits_)) || !is_finite_point(axis)
+       || !is_finite_point(direction) || !std::isfinite(major) || !std::isfinite(sweep))
+      return "Its center, axis, major direction, radii or angles are not finite.";
+    if(!(std::abs(dot(axis, axis) - 1.) < 1e-6) || !(std::abs(dot(direction, direction) - 1.) < 1e-6)
+       || !(std::abs(dot(axis, direction)) < 1e-6))
+      return "Its axis and its major direction have to be unit vectors that are orthogonal.";
+    if(!(minor > 0.) || !(major >= minor))
+      return "Its radii have to be positive, the major one first.";
+    if(!(sweep > 0.) || !(sweep <= 2. * CGAL_PI + 1e-9))
+      return "Its end angle has to be larger than its start angle, by a full turn at most.";
+    return "";
+  }
+
+  std::string conic_ends_problem(const Curve& curve) const
+  {
+    const double tolerance = 1e-6 * size_of(curve);
+    const auto& points = curve.spline.control_points();
+    const Coordinates start = coordinates_of(curve.conic.point(curve.conic.start_angle, traits_), traits_);
+    const Coordinates end = coordinates_of(curve.conic.point(curve.conic.end_angle, traits_), traits_);
+    if(!are_close(start, coordinates_of(points.front(), traits_), tolerance)
+       || !are_close(end, coordinates_of(points.back(), traits_), tolerance))
+      return "Its center, radii and angles do not lead to the ends of its spline.";
+    return "";
+  }
+
+  static double dot(const Coordinates& p, const Coordinates& q)
+  {
+    return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+  }
+
+  double size_of(const Curve& curve) const
+  {
+    double size = 0.;
+    for(const auto& point : curve.spline.control_points())
+      for(const double coordinate : coordinates_of(point, traits_))
+        size = (std::max)(size, std::abs(coordinate));
+    return size;
   }
 
   std::string spline_problem(const Curve& curve) const
@@ -132,10 +205,7 @@ private:
   // Ends may be off by the digits that a file or a number type of single precision loses, not by more.
   std::string ends_problem(const Curve& curve) const
   {
-    double size = 0.;
-    for(const auto& point : curve.spline.control_points())
-      for(const double coordinate : coordinates_of(point, traits_))
-        size = (std::max)(size, std::abs(coordinate));
+    const double size = size_of(curve);
     const Coordinates first = coordinates_of(curve.spline.control_points().front(), traits_);
     const Coordinates last = coordinates_of(curve.spline.control_points().back(), traits_);
     if(curve.is_closed() && !are_close(first, last, 1e-6 * size))
