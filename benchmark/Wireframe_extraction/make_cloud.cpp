@@ -40,10 +40,10 @@ struct Arguments
 {
   std::string shape, output, truth, field, sampling = "poisson", scope = "adjacent";
   std::vector<std::string> fields;
-  double sampling_distance = 0.02, angle = 30, truncation = 50, position_noise = 0.25, scale = 1;
+  double sampling_distance = 0.02, angle = 30, radius = 1, truncation = 50, position_noise = 0.25, scale = 1;
   std::size_t points = 0;
   std::uint64_t seed = 1;
-  bool has_angle = false, has_noise = false, is_list = false, is_forced = false;
+  bool has_angle = false, has_radius = false, has_noise = false, is_list = false, is_forced = false;
 
   bool is_one_file() const { return fs::path(output).extension() == ".ply"; }
 };
@@ -80,6 +80,8 @@ void check(Arguments& a)
     throw Usage_error("say where to write: -o DIRECTORY or -o FILE.ply");
   if (a.has_angle && a.shape != "wedge")
     throw Usage_error("--angle is for the wedge only");
+  if (a.has_radius && a.shape != "rounded_plate")
+    throw Usage_error("--radius is for the rounded plate only");
   if (a.is_one_file() && !a.fields.empty())
     throw Usage_error("--fields is for an output directory; for one file give --field");
   if (!a.is_one_file() && (!a.field.empty() || !a.truth.empty()))
@@ -95,17 +97,18 @@ void check(Arguments& a)
     throw Usage_error("--position-noise moves the points of the noisy field only, which is not asked for");
 }
 
-/// The solid and its sampling distance, on which the thin plate's thickness depends: it takes some rounds.
+/// The solid and its sampling distance. Where lengths of the solid depend on that, it takes some rounds.
 Solid solid_for(Arguments& a)
 {
   Solid_options options;
   options.angle = a.angle;
+  options.radius = a.radius;
   options.sampling_distance = a.sampling_distance;
   Solid solid = make_solid(a.shape, options);
   for (int i = 0; i < 30 && a.points > 0; ++i)
   {
     a.sampling_distance = sampling_distance_for(solid.area(), a.points);
-    if (a.shape != "thin_plate")
+    if (!depends_on_sampling_distance(a.shape))
       break;
     options.sampling_distance = a.sampling_distance;
     solid = make_solid(a.shape, options);
@@ -250,6 +253,8 @@ void add_options(CLI::App& app, Arguments& a)
     ->capture_default_str()->check(number_check(true));
   app.add_option("--angle", a.angle, "of the wedge, in degrees")
     ->capture_default_str()->check(CLI::Range(5., 170.));
+  app.add_option("--radius", a.radius, "of the rounded plate's corners, in sampling distances")
+    ->capture_default_str()->check(CLI::Range(0.1, 10.));
   app.add_option("--scale", a.scale, "multiplies all lengths, the sampling distance too")
     ->capture_default_str()->check(number_check(false));
   app.add_option("--seed", a.seed, "of the random numbers, a whole number")
@@ -268,6 +273,7 @@ int main(int argc, char** argv)
   {
     app.parse(argc, argv);
     arguments.has_angle = app.count("--angle") > 0;
+    arguments.has_radius = app.count("--radius") > 0;
     arguments.has_noise = app.count("--position-noise") > 0;
     if (arguments.is_list)
       list_solids();

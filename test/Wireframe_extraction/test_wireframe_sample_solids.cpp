@@ -46,12 +46,12 @@ double wedge(const Point& p, double degrees)
   return (std::max)({sides, p[0] - 1.2 * std::cos(half), -p[2], p[2] - 0.8});
 }
 
-double hexagon(const Point& p, double r)
+double polygon(const Point& p, int n, double r)
 {
   double value = -1e300;
-  for (int i = 0; i < 6; ++i)
-    value = (std::max)(value, p[0] * std::cos((i + 0.5) * pi / 3) + p[1] * std::sin((i + 0.5) * pi / 3));
-  return value - r * std::cos(pi / 6);
+  for (int i = 0; i < n; ++i)
+    value = (std::max)(value, p[0] * std::cos((2 * i + 1) * pi / n) + p[1] * std::sin((2 * i + 1) * pi / n));
+  return value - r * std::cos(pi / n);
 }
 
 double gear(const Point& p)
@@ -102,6 +102,33 @@ double frustum(const Point& p)
   return (std::max)({slant, -p[2], p[2] - 0.8});
 }
 
+double flange(const Point& p)
+{
+  double value = (std::max)({cylinder_z(p, 0, 0, 1), -cylinder_z(p, 0, 0, 0.35), -p[2], p[2] - 0.3});
+  for (int i = 0; i < 6; ++i)
+    value = (std::max)(value, -cylinder_z(p, 0.68 * std::cos(i * pi / 3), 0.68 * std::sin(i * pi / 3), 0.12));
+  return value;
+}
+
+double elliptic_cut(const Point& p)
+{
+  return (std::max)({cylinder_z(p, 0, 0, 0.5), -p[2], p[2] - 0.8 - 0.6 * p[0]});
+}
+
+double oblique_hole(const Point& p)
+{
+  const double angle = 35 * pi / 180;
+  const double hole = std::hypot(p[0] * std::cos(angle) - (p[2] - 0.15) * std::sin(angle), p[1]) - 0.25;
+  return (std::max)(box(p, {{-0.65, -0.45, 0}}, {{0.65, 0.45, 0.3}}), -hole);
+}
+
+double rounded_plate(const Point& p, double radius)
+{
+  const double x = std::abs(p[0]) - 0.8 + radius, y = std::abs(p[1]) - 0.55 + radius;
+  const double outline = x > 0 && y > 0 ? std::hypot(x, y) - radius : (std::max)(x, y) - radius;
+  return (std::max)({outline, -p[2], p[2] - 0.4});
+}
+
 // ---- what is known of each solid
 
 struct Facts
@@ -112,7 +139,16 @@ struct Facts
   Implicit surface;
 };
 
-/// The length of a closed curve by the trapezium rule, which converges fast on periodic functions.
+/// The lengths of closed curves by the trapezium rule, which converges fast on periodic functions.
+double ellipse_length(double a, double b)
+{
+  double sum = 0;
+  const int n = 20000;
+  for (int i = 0; i < n; ++i)
+    sum += std::hypot(a * std::sin(2 * pi * i / n), b * std::cos(2 * pi * i / n));
+  return sum * 2 * pi / n;
+}
+
 double crossing_length(double thick, double thin)
 {
   double sum = 0;
@@ -171,6 +207,39 @@ Facts gear_facts()
           2 * face + 0.4 * (outline + 0.8 * pi), gear};
 }
 
+Facts flange_facts()
+{
+  return {"flange", 10, 16, 16, 0, 16, 8.28 * pi, 2 * pi * (1 - 0.1225 - 6 * 0.0144) + 0.3 * 4.14 * pi, flange};
+}
+
+Facts elliptic_cut_facts()
+{
+  const double stretch = std::sqrt(1.36);
+  return {"elliptic_cut", 3, 2, 2, 0, 2, pi + ellipse_length(0.5 * stretch, 0.5),
+          0.25 * pi * (1 + stretch) + 0.8 * pi, elliptic_cut};
+}
+
+Facts oblique_hole_facts()
+{
+  const double stretch = 1 / std::cos(35 * pi / 180);
+  return {"oblique_hole", 7, 14, 14, 8, 2, 4 * 2.2 + 4 * 0.3 + 2 * ellipse_length(0.25 * stretch, 0.25),
+          2 * (1.17 - 0.0625 * pi * stretch) + 0.3 * (4.4 + 0.5 * pi * stretch), oblique_hole};
+}
+
+Facts rounded_plate_facts(double radius)
+{
+  const double outline = 5.4 + (2 * pi - 8) * radius;
+  return {"rounded_plate", 10, 2, 16, 0, 2, 2 * outline, 2 * (1.76 - (4 - pi) * radius * radius) + 0.4 * outline,
+          [radius](const Point& p) { return rounded_plate(p, radius); }};
+}
+
+Facts faceted_disc_facts()
+{
+  const double outline = 24 * 0.6 * std::sin(pi / 12);
+  return {"faceted_disc", 14, 36, 36, 24, 0, 2 * outline + 12 * 0.14, 2 * 3 * 0.36 + 0.14 * outline,
+          [](const Point& p) { return (std::max)({polygon(p, 12, 0.6), -p[2], p[2] - 0.14}); }};
+}
+
 std::vector<Facts> all_facts()
 {
   const double rim = std::sqrt(0.16 - 0.19 * 0.19), slope = std::hypot(0.25, 0.8);
@@ -192,7 +261,7 @@ std::vector<Facts> all_facts()
     {"nut", 9, 20, 20, 12, 2, 8.4 + 3 + 1.44 * pi,
      2 * (1.5 * std::sqrt(3.) * 0.49 - pi * 0.1296) + 0.5 * (4.2 + 0.72 * pi), [](const Point& p)
      {
-       return (std::max)({hexagon(p, 0.7), -cylinder_z(p, 0, 0, 0.36), -p[2], p[2] - 0.5});
+       return (std::max)({polygon(p, 6, 0.7), -cylinder_z(p, 0, 0, 0.36), -p[2], p[2] - 0.5});
      }},
     wedge_facts("wedge", 30), wedge_facts("wedge_15", 15), wedge_facts("wedge_30", 30),
     wedge_facts("wedge_60", 60),
@@ -219,7 +288,8 @@ std::vector<Facts> all_facts()
      [](const Point& p) { return box(p, {{-0.6, -0.45, 0}}, {{0.6, 0.45, 0.04}}); }},
     {"torus", 2, 2, 2, 0, 2, 2.4 * pi,
      pi * ((0.6 + t) * (0.6 + t) - (0.6 - t) * (0.6 - t)) + 2 * pi * 0.6 * 0.3 * left, torus},
-    gear_facts()};
+    gear_facts(), flange_facts(), elliptic_cut_facts(), oblique_hole_facts(), rounded_plate_facts(0.02),
+    faceted_disc_facts()};
   return facts;
 }
 
@@ -258,11 +328,20 @@ void check_truth(const Facts& facts, const Solid& solid)
   assert(is_near(solid.area(), facts.area, 1e-4 * facts.area));
 }
 
+double smallest_radius(const Solid& solid)
+{
+  double radius = 0.15;   // no curve without a radius bends more
+  for (const Curve& curve : solid.curves)
+    if (curve.kind == Curve_kind::CIRCLE || curve.kind == Curve_kind::ARC)
+      radius = (std::min)(radius, curve.radius);
+  return radius;
+}
+
 /// The nearest of the sampled points of the curves that count: not less than the exact distance, hardly more.
 void check_distances(const Solid& solid, const Cloud& cloud, bool is_all)
 {
   std::vector<std::vector<Point> > samples;
-  const double step = 0.1 * cloud.sampling_distance;
+  const double step = 0.1 * cloud.sampling_distance, radius = smallest_radius(solid);
   for (const Curve& curve : solid.curves)
     samples.push_back(curve.is_sharp ? curve.sampled(step) : std::vector<Point>());
   for (std::size_t i = 0; i < cloud.points.size(); i += 61)
@@ -276,8 +355,8 @@ void check_distances(const Solid& solid, const Cloud& cloud, bool is_all)
         least = (std::min)(least, distance(p, cloud.points[i]));
     const double d = cloud.exact_distances[i];
     assert(d <= least + 1e-12);
-    // outside a circle of radius R the samples are farther by the factor 1 + d / R; no R is below 0.15
-    assert(d * d >= least * least - 0.26 * step * step * (1 + d / 0.15));
+    // outside a circle of radius R the samples are farther by the factor 1 + d / R
+    assert(d * d >= least * least - 0.26 * step * step * (1 + d / radius));
   }
 }
 
@@ -444,7 +523,14 @@ void check_scopes()
   assert(differs);
 }
 
-void check_angles()
+bool is_refused(const std::string& name, const Solid_options& options = Solid_options())
+{
+  try { make_solid(name, options); }
+  catch (const std::invalid_argument&) { return true; }
+  return false;
+}
+
+void check_options()
 {
   Solid_options options;
   options.angle = 90;
@@ -453,15 +539,34 @@ void check_angles()
   for (double angle : {4., 171., std::nan("")})
   {
     options.angle = angle;
-    bool is_thrown = false;
-    try { make_solid("wedge", options); }
-    catch (const std::invalid_argument&) { is_thrown = true; }
-    assert(is_thrown);
+    assert(is_refused("wedge", options));
   }
-  bool is_thrown = false;
-  try { make_solid("teapot"); }
-  catch (const std::invalid_argument&) { is_thrown = true; }
-  assert(is_thrown);
+  options.radius = 3;
+  options.sampling_distance = 0.01;
+  check_truth(rounded_plate_facts(0.03), make_solid("rounded_plate", options));
+  for (double radius : {0., 11., std::nan("")})
+  {
+    options.radius = radius;
+    assert(is_refused("rounded_plate", options));
+  }
+  assert(is_refused("teapot"));
+}
+
+/// The kinds of the true curves and of their parts.
+void check_kinds()
+{
+  const auto count = [](const std::vector<True_curve>& curves, Curve_kind kind)
+  {
+    return std::count_if(curves.begin(), curves.end(), [kind](const True_curve& c) { return c.kind == kind; });
+  };
+  assert(count(ground_truth(make_solid("flange"), 0.02).segments, Curve_kind::CIRCLE) == 16);
+  const Ground_truth cut = ground_truth(make_solid("elliptic_cut"), 0.02);
+  assert(count(cut.segments, Curve_kind::CIRCLE) == 1 && count(cut.segments, Curve_kind::ELLIPSE) == 1);
+  const Ground_truth hole = ground_truth(make_solid("oblique_hole"), 0.02);
+  assert(count(hole.segments, Curve_kind::LINE) == 12 && count(hole.segments, Curve_kind::ELLIPSE) == 2);
+  const Ground_truth plate = ground_truth(make_solid("rounded_plate"), 0.02);
+  assert(count(plate.segments, Curve_kind::LINE) == 8 && count(plate.segments, Curve_kind::ARC) == 8);
+  assert(count(plate.curves, Curve_kind::COMPOSITE) == 2);
 }
 
 void check_output()
@@ -528,7 +633,8 @@ int main()
   check_determinism();
   check_random_numbers();
   check_scopes();
-  check_angles();
+  check_options();
+  check_kinds();
   check_output();
   return 0;
 }

@@ -97,14 +97,19 @@ struct Solid
 
   std::size_t add_circle(const Frame& frame, double radius) { return add_arc(frame, radius, 2. * pi); }
 
+  /// the ellipse with the given half axes along the x- and the y-direction of `frame`
+  std::size_t add_ellipse(const Frame& frame, double half_x, double half_y)
+  {
+    return add_closed_curve(Curve_kind::ELLIPSE, [frame, half_x, half_y](double t)
+    {
+      return frame(half_x * std::cos(2. * pi * t), half_y * std::sin(2. * pi * t), 0);
+    });
+  }
+
   /// a closed smooth curve that is given by a periodic map of [0, 1]
   std::size_t add_closed_spline(std::function<Point(double)> map)
   {
-    Curve curve;
-    curve.kind = Curve_kind::SPLINE;
-    curve.is_closed = true;
-    curve.map = std::move(map);
-    return add_curve(std::move(curve));
+    return add_closed_curve(Curve_kind::SPLINE, std::move(map));
   }
 
   std::size_t add_face(Face face)
@@ -130,6 +135,15 @@ private:
     {
       return std::find(b.edges.begin(), b.edges.end(), edge) != b.edges.end();
     });
+  }
+
+  std::size_t add_closed_curve(Curve_kind kind, std::function<Point(double)> map)
+  {
+    Curve curve;
+    curve.kind = kind;
+    curve.is_closed = true;
+    curve.map = std::move(map);
+    return add_curve(std::move(curve));
   }
 
   std::size_t add_curve(Curve curve)

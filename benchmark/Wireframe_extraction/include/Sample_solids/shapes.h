@@ -26,7 +26,8 @@ namespace Sample_solids {
 struct Solid_options
 {
   double angle = 30;                ///< of the wedge, in degrees, between 5 and 170
-  double sampling_distance = 0.02;  ///< the thin plate is two of these thick
+  double radius = 1;                ///< of the rounded plate's corners, in sampling distances, between 0.1 and 10
+  double sampling_distance = 0.02;  ///< the unit of some lengths; see `depends_on_sampling_distance()`
 };
 
 namespace internal {
@@ -210,6 +211,95 @@ inline void add_slotted_plate(Solid& solid)
   extrude(solid, Frame(), Profile({rectangle_loop(-0.8, -0.5, 0.8, 0.5), slot}), 0.3);
 }
 
+/// A disc with a bore in the middle and a bolt circle of six holes, all of them right through.
+inline void add_flange(Solid& solid)
+{
+  std::vector<Loop> loops = {circle_loop(0, 0, 1.0), circle_loop(0, 0, 0.35)};
+  for (int i = 0; i < 6; ++i)
+    loops.push_back(circle_loop(0.68 * std::cos(i * pi / 3), 0.68 * std::sin(i * pi / 3), 0.12));
+  extrude(solid, Frame(), Profile(loops), 0.3);
+}
+
+/// A plate whose corners are rounded.
+inline void add_rounded_plate(Solid& solid, double radius)
+{
+  const double x = 0.8, y = 0.55, a = x - radius, b = y - radius;
+  const Loop outline = {line_side({{-a, -y}}, {{a, -y}}), arc_side({{a, -y}}, {{x, -b}}, {{a, -b}}, pi / 2),
+                        line_side({{x, -b}}, {{x, b}}), arc_side({{x, b}}, {{a, y}}, {{a, b}}, pi / 2),
+                        line_side({{a, y}}, {{-a, y}}), arc_side({{-a, y}}, {{-x, b}}, {{-a, b}}, pi / 2),
+                        line_side({{-x, b}}, {{-x, -b}}), arc_side({{-x, -b}}, {{-a, -y}}, {{-a, -b}}, pi / 2)};
+  extrude(solid, Frame(), Profile({outline}), 0.4);
+}
+
+/// A disc with twelve plane sides.
+inline void add_faceted_disc(Solid& solid, double thickness)
+{
+  std::vector<Point_2> corners;
+  for (int i = 0; i < 12; ++i)
+    corners.push_back({{0.6 * std::cos(i * pi / 6), 0.6 * std::sin(i * pi / 6)}});
+  extrude(solid, Frame(), Profile({polygon_loop(corners)}), thickness);
+}
+
+/// the frame at `center` in a plane that rises along x by `slope`
+inline Frame oblique_frame(const Point& center, double slope)
+{
+  Frame frame;
+  frame.origin = center;
+  frame.x = unit({{1, 0, slope}});
+  frame.z = cross(frame.x, frame.y);
+  return frame;
+}
+
+/// A cylinder of which an oblique plane cuts off the upper end.
+inline void add_elliptic_cut(Solid& solid)
+{
+  const double radius = 0.5, height = 0.8, slope = 0.6, along = radius * std::hypot(1., slope);
+  const Frame low = frame_at(0, 0, 0), cut = oblique_frame({{0, 0, height}}, slope);
+  const std::size_t circle = solid.add_circle(low, radius), ellipse = solid.add_ellipse(cut, along, radius);
+  solid.add_face(disc(low, 0, radius));
+  solid.faces.back().edges = {circle};
+
+  Face top;
+  top.frame = cut;
+  top.frame.origin = cut(-along, -radius, 0);
+  top.width = 2 * along;
+  top.height = 2 * radius;
+  top.trims.push_back([radius](const Point& p) { return radius - std::hypot(p[0], p[1]); });
+  top.edges = {ellipse};
+  solid.add_face(top);
+
+  Face wall = revolved_line(low, radius, 0, radius, height + slope * radius);
+  wall.trims.push_back([cut](const Point& p) { return dot(cut.origin - p, cut.z); });
+  wall.edges = {circle, ellipse};
+  solid.add_face(wall);
+}
+
+/// A plate with a round hole that is drilled obliquely, so that its rims are ellipses.
+inline void add_oblique_hole(Solid& solid)
+{
+  const double thickness = 0.3, radius = 0.25, angle = 35. * pi / 180.;
+  const Extrusion plate = add_block(solid, 1.3, 0.9, thickness);
+  const Frame axis = frame_along({{0, 0, thickness / 2}}, {{std::sin(angle), 0, std::cos(angle)}});
+  const auto outside_hole = [axis, radius](const Point& p)
+  {
+    const Point v = p - axis.origin;
+    return std::hypot(dot(v, axis.x), dot(v, axis.y)) - radius;
+  };
+  const double reach = thickness / (2 * std::cos(angle)) + radius * std::tan(angle);
+  Face wall = revolved_line(axis, radius, -reach, radius, reach);
+  wall.trims.push_back([thickness](const Point& p) { return (std::min)(p[2], thickness - p[2]); });
+  for (std::size_t face : {plate.bottom, plate.top})
+  {
+    const double height = face == plate.bottom ? 0 : thickness;
+    const Frame rim = frame_at((height - thickness / 2) * std::tan(angle), 0, height);
+    const std::size_t ellipse = solid.add_ellipse(rim, radius / std::cos(angle), radius);
+    solid.faces[face].edges.push_back(ellipse);
+    solid.faces[face].trims.push_back(outside_hole);
+    wall.edges.push_back(ellipse);
+  }
+  solid.add_face(wall);
+}
+
 inline void add_torus(Solid& solid)
 {
   const double large = 0.6, small = 0.3, cut = 0.15;
@@ -254,6 +344,12 @@ inline void add_gear(Solid& solid)
 
 } // namespace internal
 
+/// tells whether lengths of a solid are multiples of the sampling distance.
+inline bool depends_on_sampling_distance(const std::string& name)
+{
+  return name == "thin_plate" || name == "rounded_plate" || name == "faceted_disc";
+}
+
 /// returns the names that `make_solid()` knows, each with what it is. The wedge takes any angle.
 inline std::vector<std::pair<std::string, std::string> > solid_names()
 {
@@ -274,16 +370,24 @@ inline std::vector<std::pair<std::string, std::string> > solid_names()
           {"slotted_plate", "a plate with a slot whose outline is tangent lines and arcs"},
           {"thin_plate", "a plate two sampling distances thick"},
           {"torus", "a torus with a flat cut"},
-          {"gear", "a gear with twelve teeth and a hole"}};
+          {"gear", "a gear with twelve teeth and a hole"},
+          {"flange", "a disc with a bore and a bolt circle of six holes"},
+          {"elliptic_cut", "a cylinder with an oblique end, whose rim is an ellipse"},
+          {"oblique_hole", "a plate with a round hole drilled obliquely: its rims are ellipses"},
+          {"rounded_plate", "a plate with rounded corners; their radius is an option"},
+          {"faceted_disc", "a disc with twelve plane sides, seven sampling distances thick"}};
 }
 
 /// makes the solid of the given name.
-/// \throw std::invalid_argument if there is no such solid, or if the wedge's angle is not between 5 and 170
-/// degrees
+/// \throw std::invalid_argument if there is no such solid, or if an option of the one that is asked for is out of
+/// its range
 inline Solid make_solid(const std::string& name, const Solid_options& options = Solid_options())
 {
   if (name == "wedge" && !(options.angle >= 5 && options.angle <= 170))
     throw std::invalid_argument("the angle of a wedge must be between 5 and 170 degrees");
+  if (name == "rounded_plate" && !(options.radius >= 0.1 && options.radius <= 10))
+    throw std::invalid_argument("the radius of the rounded plate must be between 0.1 and 10 sampling distances");
+  const double r = options.sampling_distance;
   Solid solid;
   solid.name = name;
   if (name == "box") internal::add_block(solid, 1.2, 1.0, 0.8);
@@ -301,9 +405,14 @@ inline Solid make_solid(const std::string& name, const Solid_options& options = 
   else if (name == "crossing_cylinders") internal::add_crossing_cylinders(solid);
   else if (name == "u_channel") internal::add_channel(solid);
   else if (name == "slotted_plate") internal::add_slotted_plate(solid);
-  else if (name == "thin_plate") internal::add_block(solid, 1.2, 0.9, 2 * options.sampling_distance);
+  else if (name == "thin_plate") internal::add_block(solid, 1.2, 0.9, 2 * r);
   else if (name == "torus") internal::add_torus(solid);
   else if (name == "gear") internal::add_gear(solid);
+  else if (name == "flange") internal::add_flange(solid);
+  else if (name == "elliptic_cut") internal::add_elliptic_cut(solid);
+  else if (name == "oblique_hole") internal::add_oblique_hole(solid);
+  else if (name == "rounded_plate") internal::add_rounded_plate(solid, options.radius * r);
+  else if (name == "faceted_disc") internal::add_faceted_disc(solid, 7 * r);
   else throw std::invalid_argument("there is no solid '" + name + "'");
   solid.finish();
   return solid;
