@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <locale>
 #include <random>
 #include <sstream>
@@ -382,6 +383,8 @@ struct Lean_traits
   {
     const double* operator()(const Point_3& point) const { return point.values.data(); }
     const double* operator()(const Point_3& point, int) const { return point.values.data() + 3; }
+    const double* operator()(const Vector_3& vector) const { return vector.values.data(); }
+    const double* operator()(const Vector_3& vector, int) const { return vector.values.data() + 3; }
   };
 
   Construct_point_3 construct_point_3_object() const { return {}; }
@@ -422,8 +425,43 @@ private:
     return Traits().construct_point_3_object()(number(-10, 10), number(-1e-5, 1e-5), number(-1e9, 1e9));
   }
 
-  Curve curve(const Wireframe& wireframe, std::size_t i)
+  // a circle or an ellipse, or an arc of one, whose ends become vertices
+  Curve conic(Wireframe& wireframe, CGAL::Wireframe_curve_type type)
   {
+    typedef CGAL::Wireframe_curve_type Type;
+    const double pi = CGAL_PI, tilt = CGAL::to_double(number(-pi, pi));
+    Curve result;
+    result.type = type;
+    const Traits traits;
+    result.conic.center = point();
+    result.conic.axis = traits.construct_vector_3_object()(FT(std::sin(tilt)), FT(0), FT(std::cos(tilt)));
+    result.conic.major_direction = traits.construct_vector_3_object()(FT(std::cos(tilt)), FT(0),
+                                                                      FT(-std::sin(tilt)));
+    result.conic.major_radius = number(2, 3);
+    result.conic.minor_radius = type == Type::CIRCLE || type == Type::ARC ? result.conic.major_radius : number(1, 2);
+    const bool is_full = type == Type::CIRCLE || type == Type::ELLIPSE;
+    result.conic.start_angle = is_full ? FT(0) : number(0, 3);
+    result.conic.end_angle = is_full ? FT(2 * pi) : FT(result.conic.start_angle + number(0.1, 6));
+    result.spline = result.conic.to_spline(is_full);
+    result.uncertainty.position = number(0, 1);
+    result.uncertainty.direction = number(0, 1);
+    result.uncertainty.major_radius = number(0, 1);
+    result.uncertainty.minor_radius = number(0, 1);
+    if(!is_full)
+    {
+      result.source = wireframe.vertices.size();
+      result.target = result.source + 1;
+      wireframe.vertices.push_back(result.spline.control_points().front());
+      wireframe.vertices.push_back(result.spline.control_points().back());
+    }
+    return result;
+  }
+
+  Curve curve(Wireframe& wireframe, std::size_t i)
+  {
+    const CGAL::Wireframe_curve_type type = static_cast<CGAL::Wireframe_curve_type>(i % 6);
+    if(CGAL::is_conic(type))
+      return conic(wireframe, type);
     const bool is_closed = (i % 4 == 1), has_vertex = !is_closed || i % 8 == 1;
     const std::size_t degree = 1 + i % 5, count = degree + 2 + i % 7;
     std::vector<Point_3> points;
@@ -443,7 +481,7 @@ private:
     knots.insert(knots.end(), degree + 1, knots.back() + number(0.1, 1));
     for(std::size_t j = 0; j < count && i % 3 == 0; ++j)
       weights.push_back(number(0.5, 2));
-    result.type = static_cast<CGAL::Wireframe_curve_type>(i % 6);
+    result.type = type;
     result.spline = typename Curve::Spline(degree, knots, points, weights, is_closed);
     result.root_mean_square = number(0, 1);
     result.maximum_deviation = number(0, 1e-300);
@@ -466,6 +504,22 @@ std::vector<double> numbers_of(const std::vector<typename Traits::Point_3>& poin
 }
 
 template <class Traits>
+std::vector<double> conic_numbers(const CGAL::Wireframe_curve<Traits>& curve)
+{
+  const auto& c = curve.conic;
+  const auto& u = curve.uncertainty;
+  std::vector<double> numbers = numbers_of<Traits>({ c.center });
+  const auto begin = Traits().construct_cartesian_const_iterator_3_object();
+  for(const auto& vector : { c.axis, c.major_direction })
+    for(auto iterator = begin(vector); iterator != begin(vector, 0); ++iterator)
+      numbers.push_back(CGAL::to_double(*iterator));
+  for(const auto& number : { c.major_radius, c.minor_radius, c.start_angle, c.end_angle, u.position, u.direction,
+                             u.major_radius, u.minor_radius })
+    numbers.push_back(CGAL::to_double(number));
+  return numbers;
+}
+
+template <class Traits>
 bool are_equal(const CGAL::Wireframe<Traits>& first, const CGAL::Wireframe<Traits>& second)
 {
   bool is_equal = first.sampling_distance == second.sampling_distance
@@ -477,6 +531,7 @@ bool are_equal(const CGAL::Wireframe<Traits>& first, const CGAL::Wireframe<Trait
     const auto& b = second.curves[i];
     is_equal = a.type == b.type && a.source == b.source && a.target == b.target && a.support == b.support
                && a.root_mean_square == b.root_mean_square && a.maximum_deviation == b.maximum_deviation
+               && (!CGAL::is_conic(a.type) || conic_numbers(a) == conic_numbers(b))
                && a.is_closed() == b.is_closed() && a.spline.degree() == b.spline.degree()
                && a.spline.knots() == b.spline.knots() && a.spline.weights() == b.spline.weights()
                && numbers_of<Traits>(a.spline.control_points())
@@ -570,7 +625,50 @@ CGAL::Wireframe<Kernel> theta_wireframe()
                Point(4, -1, 0),
                Point(5, -1, 0), Point(6, -1, 0), Point(6, 0, 0) }, { 1., w, 1., w, 1., w, 1., w, 1. }, true),
       none, none);
+  typedef Kernel::Vector_3 Vector;
+  wireframe.curves[2].conic = { Point(0.5, 0.5, 0), Vector(0, 0, 1), Vector(-w, -w, 0), w, w, 0, 0.5 * CGAL_PI };
+  wireframe.curves[4].conic = { Point(5, 0, 0), Vector(0, 0, 1), Vector(1, 0, 0), 1, 1, 0, 2 * CGAL_PI };
   return wireframe;
+}
+
+// the parameters of a conic must be sound, and lead to the ends of its spline
+void test_bad_conics()
+{
+  const auto fails = [](const CGAL::Wireframe<Kernel>& wireframe, const std::string& word)
+  {
+    std::ostringstream stream;
+    std::string error;
+    const bool is_written =
+      CGAL::IO::write_wireframe_json(stream, wireframe, CGAL::Wireframe_extraction::parameters::error_message(&error));
+    return !is_written && stream.str().empty() && error.find("curve 2") != std::string::npos
+           && error.find(word) != std::string::npos;
+  };
+  const CGAL::Wireframe<Kernel> good = theta_wireframe();
+  assert(!fails(good, ""));
+  CGAL::Wireframe<Kernel> bad = good;
+  bad.curves[2].conic.axis = Kernel::Vector_3(0, 0, 2);
+  assert(fails(bad, "axis"));
+  bad = good;
+  bad.curves[2].conic.minor_radius = -1;
+  assert(fails(bad, "radii"));
+  bad = good;
+  bad.curves[2].conic.end_angle = -1;
+  assert(fails(bad, "angle"));
+  bad = good;
+  bad.curves[2].conic.center = Point(0, 0, 1);
+  assert(fails(bad, "ends"));
+  bad = good;
+  bad.curves[2].uncertainty.position = std::numeric_limits<double>::quiet_NaN();
+  assert(fails(bad, "uncertainty"));
+
+  // the reader names what is missing
+  std::stringstream stream;
+  assert(CGAL::IO::write_wireframe_json(stream, good));
+  std::string text = stream.str(), error;
+  text.replace(text.find("\"center\""), 8, "\"centre\"");
+  std::istringstream input(text);
+  assert(!CGAL::IO::read_wireframe_json(input, bad, CGAL::Wireframe_extraction::parameters::error_message(&error)));
+  assert(error.find("curve 2: \"center\" is missing") != std::string::npos);
 }
 
 struct Read_polylines
@@ -840,6 +938,7 @@ void test_other_locale()
 
 int main()
 {
+  test_bad_conics();
   test_ply_ascii();
   test_ply_binary();
   test_ply_binary_mixture();

@@ -71,7 +71,7 @@ struct Wireframe_conic
   {
     const double begin = CGAL::to_double(start_angle), sweep = CGAL::to_double(end_angle) - begin;
     // a quarter of a turn at most for each piece; the last digit must not make one more
-    const std::size_t pieces = std::size_t((std::max)(1., std::ceil(sweep / (0.5 * CGAL_PI) * (1. - 1e-9))));
+    const std::size_t pieces = std::size_t((std::max)(1., std::ceil(sweep / (0.5 * CGAL_PI) * (1. - 1e-6))));
     const double half = 0.5 * sweep / double(pieces), weight = std::cos(half);
     const double scale = CGAL::to_double(major_radius);
     std::vector<FT> knots(1, FT(scale * begin)), weights;

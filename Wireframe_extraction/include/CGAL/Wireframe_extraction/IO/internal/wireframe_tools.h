@@ -144,7 +144,7 @@ private:
       return "Its axis and its major direction have to be unit vectors that are orthogonal.";
     if(!(minor > 0.) || !(major >= minor))
       return "Its radii have to be positive, the major one first.";
-    if(!(sweep > 0.) || !(sweep <= 2. * CGAL_PI + 1e-9))
+    if(!(sweep > 0.) || !(sweep <= 2. * CGAL_PI + 1e-6))
       return "Its end angle has to be larger than its start angle, by a full turn at most.";
     return "";
   }
