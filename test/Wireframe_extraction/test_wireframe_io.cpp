@@ -492,8 +492,9 @@ private:
   std::mt19937 random_;
 };
 
-template <class Traits>
-std::vector<double> numbers_of(const std::vector<typename Traits::Point_3>& points)
+// of points or vectors
+template <class Traits, class Position>
+std::vector<double> numbers_of(const std::vector<Position>& points)
 {
   std::vector<double> numbers;
   const auto begin = Traits().construct_cartesian_const_iterator_3_object();
@@ -508,11 +509,10 @@ std::vector<double> conic_numbers(const CGAL::Wireframe_curve<Traits>& curve)
 {
   const auto& c = curve.conic;
   const auto& u = curve.uncertainty;
-  std::vector<double> numbers = numbers_of<Traits>({ c.center });
-  const auto begin = Traits().construct_cartesian_const_iterator_3_object();
-  for(const auto& vector : { c.axis, c.major_direction })
-    for(auto iterator = begin(vector); iterator != begin(vector, 0); ++iterator)
-      numbers.push_back(CGAL::to_double(*iterator));
+  std::vector<double> numbers = numbers_of<Traits>(std::vector<typename Traits::Point_3>{ c.center });
+  const std::vector<typename Traits::Vector_3> directions = { c.axis, c.major_direction };
+  for(const double number : numbers_of<Traits>(directions))
+    numbers.push_back(number);
   for(const auto& number : { c.major_radius, c.minor_radius, c.start_angle, c.end_angle, u.position, u.direction,
                              u.major_radius, u.minor_radius })
     numbers.push_back(CGAL::to_double(number));

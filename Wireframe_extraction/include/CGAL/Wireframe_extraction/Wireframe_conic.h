@@ -13,13 +13,14 @@
 #define CGAL_WIREFRAME_EXTRACTION_WIREFRAME_CONIC_H
 
 #include <CGAL/Wireframe_extraction/Spline_curve_3.h>
+#include <CGAL/Wireframe_extraction/internal/spline_basis.h>
 
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -89,26 +90,27 @@ struct Wireframe_conic
   }
 
 private:
-  static std::array<double, 3> coordinates(const Vector_3& v, const GeomTraits& traits)
+  typedef Wireframe_extraction::internal::Spline_vector Spline_vector;
+
+  // of a point or a vector
+  template <class Position>
+  static Spline_vector to_vector(const Position& position, const GeomTraits& traits)
   {
-    auto it = traits.construct_cartesian_const_iterator_3_object()(v);
-    std::array<double, 3> result;
-    for (double& x : result)
-      x = CGAL::to_double(*it++);
-    return result;
+    auto it = traits.construct_cartesian_const_iterator_3_object()(position);
+    Spline_vector v;
+    v.x = CGAL::to_double(*it++);
+    v.y = CGAL::to_double(*it++);
+    v.z = CGAL::to_double(*it);
+    return v;
   }
 
   // center + major_radius * c * x + minor_radius * s * y
   Point_3 combination(double c, double s, const GeomTraits& traits) const
   {
-    const std::array<double, 3> n = coordinates(axis, traits), x = coordinates(major_direction, traits);
-    const std::array<double, 3> y{{n[1] * x[2] - n[2] * x[1], n[2] * x[0] - n[0] * x[2], n[0] * x[1] - n[1] * x[0]}};
-    const double a = CGAL::to_double(major_radius) * c, b = CGAL::to_double(minor_radius) * s;
-    auto it = traits.construct_cartesian_const_iterator_3_object()(center);
-    std::array<double, 3> p;
-    for (std::size_t k = 0; k < 3; ++k)
-      p[k] = CGAL::to_double(*it++) + a * x[k] + b * y[k];
-    return traits.construct_point_3_object()(FT(p[0]), FT(p[1]), FT(p[2]));
+    const Spline_vector x = to_vector(major_direction, traits), y = cross(to_vector(axis, traits), x);
+    const Spline_vector p = to_vector(center, traits) + (CGAL::to_double(major_radius) * c) * x
+      + (CGAL::to_double(minor_radius) * s) * y;
+    return traits.construct_point_3_object()(FT(p.x), FT(p.y), FT(p.z));
   }
 };
 

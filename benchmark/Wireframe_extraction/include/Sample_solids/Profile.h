@@ -15,6 +15,7 @@
 
 #include <Sample_solids/Solid.h>
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -94,6 +95,18 @@ inline Loop polygon_loop(const std::vector<Point_2>& corners)
 inline Loop rectangle_loop(double x_0, double y_0, double x_1, double y_1)
 {
   return polygon_loop({{{x_0, y_0}}, {{x_1, y_0}}, {{x_1, y_1}}, {{x_0, y_1}}});
+}
+
+/// around the origin, with a corner on the x-axis, `radius` away from the origin
+inline Loop regular_polygon_loop(int number_of_corners, double radius)
+{
+  std::vector<Point_2> corners;
+  for (int i = 0; i < number_of_corners; ++i)
+  {
+    const double angle = 2 * i * pi / number_of_corners;
+    corners.push_back({{radius * std::cos(angle), radius * std::sin(angle)}});
+  }
+  return polygon_loop(corners);
 }
 
 inline Loop circle_loop(double x, double y, double radius)

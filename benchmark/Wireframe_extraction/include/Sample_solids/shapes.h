@@ -114,10 +114,7 @@ inline void add_bracket(Solid& solid)
 
 inline void add_nut(Solid& solid)
 {
-  std::vector<Point_2> corners;
-  for (int i = 0; i < 6; ++i)
-    corners.push_back({{0.7 * std::cos(i * pi / 3), 0.7 * std::sin(i * pi / 3)}});
-  extrude(solid, Frame(), Profile({polygon_loop(corners), circle_loop(0, 0, 0.36)}), 0.5);
+  extrude(solid, Frame(), Profile({regular_polygon_loop(6, 0.7), circle_loop(0, 0, 0.36)}), 0.5);
 }
 
 inline void add_wedge(Solid& solid, double angle)
@@ -234,10 +231,7 @@ inline void add_rounded_plate(Solid& solid, double radius)
 /// A disc with twelve plane sides.
 inline void add_faceted_disc(Solid& solid, double thickness)
 {
-  std::vector<Point_2> corners;
-  for (int i = 0; i < 12; ++i)
-    corners.push_back({{0.6 * std::cos(i * pi / 6), 0.6 * std::sin(i * pi / 6)}});
-  extrude(solid, Frame(), Profile({polygon_loop(corners)}), thickness);
+  extrude(solid, Frame(), Profile({regular_polygon_loop(12, 0.6)}), thickness);
 }
 
 /// the frame at `center` in a plane that rises along x by `slope`

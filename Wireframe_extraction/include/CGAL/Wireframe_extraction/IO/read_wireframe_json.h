@@ -166,39 +166,25 @@ private:
 
   bool read_conic(const Json& json, Wireframe_conic<GeomTraits>& conic)
   {
-    Coordinates center, axis, direction;
-    if(!read_triple(json, "center", center) || !read_triple(json, "axis", axis)
-       || !read_triple(json, "major_direction", direction)
+    std::vector<FT> center, axis, direction;
+    if(!read_array_of(json, "center", 3, center) || !read_array_of(json, "axis", 3, axis)
+       || !read_array_of(json, "major_direction", 3, direction)
        || !read_pair(json, "radii", conic.major_radius, conic.minor_radius)
        || !read_pair(json, "angles", conic.start_angle, conic.end_angle))
       return false;
-    const auto vector = [this](const Coordinates& v)
-    {
-      return traits_.construct_vector_3_object()(FT(v[0]), FT(v[1]), FT(v[2]));
-    };
-    conic.center = traits_.construct_point_3_object()(FT(center[0]), FT(center[1]), FT(center[2]));
-    conic.axis = vector(axis);
-    conic.major_direction = vector(direction);
+    conic.center = traits_.construct_point_3_object()(center[0], center[1], center[2]);
+    conic.axis = traits_.construct_vector_3_object()(axis[0], axis[1], axis[2]);
+    conic.major_direction = traits_.construct_vector_3_object()(direction[0], direction[1], direction[2]);
     return true;
   }
 
   bool read_pair(const Json& json, const char* key, FT& first, FT& second)
   {
     std::vector<FT> numbers;
-    if(!json.contains(key) || !read_numbers(json, key, numbers) || numbers.size() != 2)
-      return fail(quote(key) + " is " + found(json, key) + ", it has to be an array of two finite numbers");
+    if(!read_array_of(json, key, 2, numbers))
+      return false;
     first = numbers[0];
     second = numbers[1];
-    return true;
-  }
-
-  bool read_triple(const Json& json, const char* key, Coordinates& triple)
-  {
-    std::vector<FT> numbers;
-    if(!json.contains(key) || !read_numbers(json, key, numbers) || numbers.size() != 3)
-      return fail(quote(key) + " is " + found(json, key) + ", it has to be an array of three finite numbers");
-    for(std::size_t k = 0; k < 3; ++k)
-      triple[k] = CGAL::to_double(numbers[k]);
     return true;
   }
 
@@ -315,6 +301,14 @@ private:
       numbers.push_back(FT(value.get<double>()));
     }
     return true;
+  }
+
+  // two or three numbers, as `count` says
+  bool read_array_of(const Json& json, const char* key, std::size_t count, std::vector<FT>& numbers)
+  {
+    return (read_numbers(json, key, numbers) && numbers.size() == count)
+           || fail(quote(key) + " is " + found(json, key) + ", it has to be an array of "
+                   + (count == 2 ? "two" : "three") + " finite numbers");
   }
 
   bool read_points(const Json& json, const char* key, std::vector<Point_3>& points)

@@ -19,6 +19,7 @@
 
 #include <CGAL/number_utils.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <ostream>
@@ -54,26 +55,31 @@ std::string json_point(const Position& point, const GeomTraits& traits)
   return json_array(coordinates_of(point, traits), json_number);
 }
 
+template <class FT>
+std::string json_pair(const FT& first, const FT& second)
+{
+  return json_array(std::array<double, 2>{ { CGAL::to_double(first), CGAL::to_double(second) } }, json_number);
+}
+
 // the parameters of a line or a conic, beside the spline that every curve has
 template <class GeomTraits>
 std::string json_parameters(const Wireframe_curve<GeomTraits>& curve, const GeomTraits& traits)
 {
   if(curve.type == Wireframe_curve_type::BSPLINE)
     return "";
-  const auto number = [](const auto& value) { return json_number(CGAL::to_double(value)); };
-  std::string text;
+  const auto& conic = curve.conic;
+  const auto& uncertainty = curve.uncertainty;
+  std::string parameters, radii;
   if(is_conic(curve.type))
-    text = ",\"center\":" + json_point(curve.conic.center, traits) + ",\"axis\":"
-           + json_point(curve.conic.axis, traits) + ",\"major_direction\":"
-           + json_point(curve.conic.major_direction, traits) + ",\"radii\":[" + number(curve.conic.major_radius)
-           + "," + number(curve.conic.minor_radius) + "],\"angles\":[" + number(curve.conic.start_angle) + ","
-           + number(curve.conic.end_angle) + "]";
-  text += ",\"uncertainty\":{\"position\":" + number(curve.uncertainty.position) + ",\"direction\":"
-          + number(curve.uncertainty.direction);
-  if(is_conic(curve.type))
-    text += ",\"radii\":[" + number(curve.uncertainty.major_radius) + ","
-            + number(curve.uncertainty.minor_radius) + "]";
-  return text + "}";
+  {
+    parameters = ",\"center\":" + json_point(conic.center, traits) + ",\"axis\":" + json_point(conic.axis, traits)
+                 + ",\"major_direction\":" + json_point(conic.major_direction, traits) + ",\"radii\":"
+                 + json_pair(conic.major_radius, conic.minor_radius) + ",\"angles\":"
+                 + json_pair(conic.start_angle, conic.end_angle);
+    radii = ",\"radii\":" + json_pair(uncertainty.major_radius, uncertainty.minor_radius);
+  }
+  return parameters + ",\"uncertainty\":{\"position\":" + json_number(CGAL::to_double(uncertainty.position))
+         + ",\"direction\":" + json_number(CGAL::to_double(uncertainty.direction)) + radii + "}";
 }
 
 template <class GeomTraits>
@@ -93,8 +99,7 @@ std::string json_curve(const Wireframe_curve<GeomTraits>& curve, const GeomTrait
                      + json_array(curve.spline.control_points(), to_point);
   if(curve.spline.is_rational())
     text += ",\"weights\":" + json_array(curve.spline.weights(), to_number);
-  text += json_parameters(curve, traits);
-  return text + ",\"rms\":" + to_number(curve.root_mean_square) + ",\"max\":"
+  return text + json_parameters(curve, traits) + ",\"rms\":" + to_number(curve.root_mean_square) + ",\"max\":"
          + to_number(curve.maximum_deviation) + ",\"support\":" + std::to_string(curve.support) + "}";
 }
 

@@ -115,19 +115,22 @@ private:
     if(!is_conic(curve.type))
       return "";
     std::string problem = conic_problem(curve.conic);
-    const bool is_full = curve.type == Wireframe_curve_type::CIRCLE
-                         || curve.type == Wireframe_curve_type::ELLIPSE;
-    const bool is_round = curve.type == Wireframe_curve_type::CIRCLE
-                          || curve.type == Wireframe_curve_type::ARC;
-    const double major = CGAL::to_double(curve.conic.major_radius);
-    if(problem.empty() && is_full != curve.is_closed())
-      problem = is_full ? "It is a full circle or ellipse, but not closed."
-                        : "It is an arc, but closed.";
-    if(problem.empty() && is_round && std::abs(major - CGAL::to_double(curve.conic.minor_radius)) > 1e-9 * major)
-      problem = "It is a circle, but its radii differ.";
     if(problem.empty())
-      problem = conic_ends_problem(curve);
-    return problem;
+      problem = kind_problem(curve);
+    return problem.empty() ? conic_ends_problem(curve) : problem;
+  }
+
+  std::string kind_problem(const Curve& curve) const
+  {
+    typedef Wireframe_curve_type Type;
+    const bool is_full = curve.type == Type::CIRCLE || curve.type == Type::ELLIPSE;
+    if(is_full != curve.is_closed())
+      return is_full ? "It is a full circle or ellipse, but not closed." : "It is an arc, but closed.";
+    const bool is_round = curve.type == Type::CIRCLE || curve.type == Type::ARC;
+    const double major = CGAL::to_double(curve.conic.major_radius);
+    if(is_round && std::abs(major - CGAL::to_double(curve.conic.minor_radius)) > 1e-9 * major)
+      return "It is a circle, but its radii differ.";
+    return "";
   }
 
   std::string conic_problem(const Wireframe_conic<GeomTraits>& conic) const
