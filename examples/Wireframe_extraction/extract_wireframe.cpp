@@ -152,7 +152,7 @@ class Tool
 {
 public:
   explicit Tool(const Command_line& command_line, const Options& options)
-    : m_command_line(command_line), m_options(options), m_outputs(options.outputs)
+    : m_command_line(command_line), m_options(options), m_outputs(options)
   {}
 
   void run()

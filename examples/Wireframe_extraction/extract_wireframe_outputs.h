@@ -25,10 +25,10 @@ template <class GeomTraits>
 class Output_files
 {
   typedef CGAL::Wireframe<GeomTraits> Wireframe;
-  typedef bool (*Writer)(std::ostream&, const Wireframe&, std::string&);
+  typedef bool (*Writer)(std::ostream&, const Wireframe&, const Options&, std::string&);
 
 public:
-  explicit Output_files(const std::vector<std::string>& names) : m_names(names) {}
+  explicit Output_files(const Options& options) : m_options(options), m_names(options.outputs) {}
 
   // throws what would make writing fail, before any work is done
   void check() const
@@ -56,16 +56,16 @@ private:
   static const std::map<std::string, Writer>& writers()
   {
     namespace parameters = CGAL::Wireframe_extraction::parameters;
-    const Writer polylines = [](std::ostream& stream, const Wireframe& wireframe, std::string& error)
+    const Writer polylines = [](std::ostream& stream, const Wireframe& wireframe, const Options&, std::string& error)
     {
       return CGAL::IO::write_wireframe_polylines(stream, wireframe, parameters::error_message(&error));
     };
     static const std::map<std::string, Writer> all = {
-      { ".json", [](std::ostream& stream, const Wireframe& wireframe, std::string& error)
+      { ".json", [](std::ostream& stream, const Wireframe& wireframe, const Options&, std::string& error)
         { return CGAL::IO::write_wireframe_json(stream, wireframe, parameters::error_message(&error)); } },
-      { ".obj", [](std::ostream& stream, const Wireframe& wireframe, std::string& error)
+      { ".obj", [](std::ostream& stream, const Wireframe& wireframe, const Options&, std::string& error)
         { return CGAL::IO::write_wireframe_obj(stream, wireframe, parameters::error_message(&error)); } },
-      { ".ply", [](std::ostream& stream, const Wireframe& wireframe, std::string& error)
+      { ".ply", [](std::ostream& stream, const Wireframe& wireframe, const Options&, std::string& error)
         { return CGAL::IO::write_wireframe_ply(stream, wireframe, parameters::error_message(&error)); } },
       { ".txt", polylines },
       { ".cgal", polylines }
@@ -107,7 +107,7 @@ private:
     const bool is_written = CGAL::IO::internal::write_beside_and_rename(name,
       [&](std::ostream& stream, std::string& reason)
       {
-        if(write(stream, wireframe, reason))
+        if(write(stream, wireframe, m_options, reason))
           return write_from(first + 1, wireframe, error);
         if(!stream)
           reason.clear(); // the system knows better why the stream takes nothing
@@ -118,7 +118,8 @@ private:
     return is_written;
   }
 
-  std::vector<std::string> m_names;
+  const Options& m_options;
+  const std::vector<std::string>& m_names;
 };
 
 // No file may be written over another one of this run, least of all over the cloud.

@@ -39,6 +39,18 @@ enum class End_detection
   MAIN_AXIS        ///< the extremes along the direction of largest variance
 };
 
+/// \ingroup PkgWireframeExtractionParameters
+/// What one unit of the coordinates is, for formats that say so. Coordinates are never converted.
+enum class Length_unit
+{
+  MICROMETER,
+  MILLIMETER,
+  CENTIMETER,
+  METER,
+  INCH,
+  FOOT
+};
+
 } // namespace Wireframe_extraction
 } // namespace CGAL
 

@@ -18,6 +18,7 @@ CGAL_add_named_parameter(distance_property_t, distance_property, distance_proper
 CGAL_add_named_parameter(skip_invalid_t, skip_invalid, skip_invalid)
 CGAL_add_named_parameter(number_of_skipped_t, number_of_skipped, number_of_skipped)
 CGAL_add_named_parameter(sampling_step_t, sampling_step, sampling_step)
+CGAL_add_named_parameter(unit_t, unit, unit)
 CGAL_add_named_parameter(noise_level_t, noise_level, noise_level)
 CGAL_add_named_parameter(skeleton_distance_t, skeleton_distance, skeleton_distance)
 CGAL_add_named_parameter(support_distance_t, support_distance, support_distance)
