@@ -267,6 +267,8 @@ private:
         .move_corners(options.move_corners)
         .adapt_knots(options.adapt_knots)
         .number_of_rounds(options.number_of_rounds)
+        .recognize_types(options.recognize_types)
+        .type_significance(options.type_significance)
         .skip_invalid(m_options.skip_invalid)
         .extraction_report(std::ref(m_report))
         .visitor(std::ref(visitor))

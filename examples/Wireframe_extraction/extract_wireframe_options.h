@@ -108,6 +108,7 @@ public:
     add_curves();
     add_graph();
     add_fit();
+    add_types();
     m_app.footer(
       "Exit codes: 0 success, 1 internal error (or a full disk), 2 wrong usage, 3 bad input,\n"
       "4 no sharp feature found. On failure no OUT is left behind or overwritten.\n\n"
@@ -279,6 +280,17 @@ private:
     add_checked("--number-of-rounds", extraction.number_of_rounds, 1, 1000,
                 "Rounds of the fit, each with new foot points", group)
       ->capture_default_str();
+  }
+
+  void add_types()
+  {
+    const std::string group = "Curve types";
+    Extraction_options& extraction = m_options.extraction;
+    m_app.add_flag("--splines-only{false}", extraction.recognize_types,
+                   "Leave all curves splines, instead of recognizing lines, circles, ellipses and their arcs")
+      ->group(group);
+    add_number("--type-significance", extraction.type_significance, 0., 1., false,
+               "Share of true lines, circles and ellipses that may be taken for splines", group);
   }
 
   void add_number(const std::string& name, double& value, double least, double most, bool is_least_allowed,

@@ -19,6 +19,7 @@
 #include <CGAL/Wireframe_extraction/detect_corners.h>
 #include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
 #include <CGAL/Wireframe_extraction/fit_curves.h>
+#include <CGAL/Wireframe_extraction/recognize_curve_types.h>
 #include <CGAL/Wireframe_extraction/refine_field.h>
 #include <CGAL/Wireframe_extraction/segment_curves.h>
 #include <CGAL/Wireframe_extraction/select_skeleton.h>
@@ -372,11 +373,17 @@ extract_wireframe(const PointRange& points, const NamedParameters& np = CGAL::pa
     return give_up(Report::Status::CANCELLED);
   visitor.graph_built(graph);
 
-  if (!runner.run("splines", 1., [&] { wireframe = WE::internal::fit(skeleton, graph, options, progress); }))
+  if (!runner.run("splines", 0.95, [&] { wireframe = WE::internal::fit(skeleton, graph, options, progress); }))
     return give_up(Report::Status::CANCELLED);
   if (wireframe.is_empty()) {
     report.message = "no curve explains the field";
     return give_up(Report::Status::NO_FEATURE);
+  }
+  visitor.curves_fitted(wireframe);
+  if (options.recognize_types) {
+    if (!runner.run("types", 1., [&] { wireframe = WE::internal::recognize(skeleton, wireframe, options); }))
+      return give_up(Report::Status::CANCELLED);
+    visitor.types_recognized(wireframe);
   }
   std::vector<std::size_t> ends(wireframe.vertices.size(), 0);
   for (const Wireframe_curve<Geom_traits>& curve : wireframe.curves)
@@ -395,7 +402,6 @@ extract_wireframe(const PointRange& points, const NamedParameters& np = CGAL::pa
     report.maximum_deviation = (std::max)(report.maximum_deviation, CGAL::to_double(curve.maximum_deviation));
   }
   report.root_mean_square = support > 0. ? std::sqrt(squares / support) : 0.;
-  visitor.curves_fitted(wireframe);
   return wireframe;
 }
 

@@ -52,9 +52,13 @@ struct Default_visitor
   template <class Graph>
   void graph_built(const Graph&) {}
 
-  /// is called with the wireframe.
+  /// is called with the wireframe, whose curves are splines.
   template <class GeomTraits>
   void curves_fitted(const Wireframe<GeomTraits>&) {}
+
+  /// is called with the wireframe in which lines, circles and ellipses were recognized.
+  template <class GeomTraits>
+  void types_recognized(const Wireframe<GeomTraits>&) {}
 };
 
 } // namespace Wireframe_extraction

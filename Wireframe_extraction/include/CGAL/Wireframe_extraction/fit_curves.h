@@ -61,18 +61,18 @@ std::vector<std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> 
 #endif
 
 template <class GeomTraits>
-Spline_curve_3<GeomTraits> to_spline(const Fitted_curve& curve, const Wireframe_skeleton<GeomTraits>& skeleton)
+Spline_curve_3<GeomTraits> to_spline(const Cubic_spline& spline, bool is_closed,
+                                     const Wireframe_skeleton<GeomTraits>& skeleton)
 {
   typedef typename GeomTraits::FT FT;
-  const Spline_data data = curve.spline.to_data();
+  const Spline_data data = spline.to_data();
   std::vector<FT> knots;
   std::vector<typename GeomTraits::Point_3> points;
   for (double t : data.knots)
     knots.push_back(FT(t * skeleton.unit()));
   for (const Spline_vector& p : data.points)
     points.push_back(skeleton.to_point(Vector(p.x, p.y, p.z)));
-  return Spline_curve_3<GeomTraits>(data.degree, knots, points,
-                                    curve.is_closed_without_vertex() || curve.is_loop(), skeleton.traits());
+  return Spline_curve_3<GeomTraits>(data.degree, knots, points, is_closed, skeleton.traits());
 }
 
 template <class GeomTraits>
@@ -123,7 +123,7 @@ Wireframe<GeomTraits> fit(const Wireframe_skeleton<GeomTraits>& skeleton,
     wireframe.vertices.push_back(skeleton.to_point(v));
   for (const Fitted_curve& fitted : fit.curves()) {
     Wireframe_curve<GeomTraits> curve;
-    curve.spline = to_spline(fitted, skeleton);
+    curve.spline = to_spline(fitted.spline, fitted.is_closed_without_vertex() || fitted.is_loop(), skeleton);
     if (!fitted.is_closed_without_vertex()) {
       curve.source = fitted.vertices[0];
       curve.target = fitted.vertices[1];

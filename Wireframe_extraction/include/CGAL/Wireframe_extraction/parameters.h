@@ -68,7 +68,7 @@ inline auto paper_defaults()
   return corner_measure(Corner_measure::VARIANCE).corner_sampling_ratio(0.1).corner_radius(4.).corner_variance(0.3)
     .connection_radius(3.).use_tangents(false).graph_method(Graph_method::SUBDIVIDED)
     .end_detection(End_detection::MAIN_AXIS).split_threshold(4.).use_creases(false).use_robust_loss(false)
-    .move_corners(false).adapt_knots(false).number_of_rounds(1);
+    .move_corners(false).adapt_knots(false).number_of_rounds(1).recognize_types(false);
 }
 
 } // namespace parameters

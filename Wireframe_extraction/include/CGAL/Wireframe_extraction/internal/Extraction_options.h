@@ -49,6 +49,8 @@ struct Extraction_options
   bool move_corners = true;
   bool adapt_knots = true;
   int number_of_rounds = 3;
+  bool recognize_types = true;
+  double type_significance = 0.001;
 };
 
 template <class NamedParameters>
@@ -85,6 +87,8 @@ Extraction_options extraction_options(const NamedParameters& np)
   CGAL_WIREFRAME_READ(move_corners);
   CGAL_WIREFRAME_READ(adapt_knots);
   CGAL_WIREFRAME_READ(number_of_rounds);
+  CGAL_WIREFRAME_READ(recognize_types);
+  CGAL_WIREFRAME_READ_LENGTH(type_significance);
 #undef CGAL_WIREFRAME_READ_LENGTH
 #undef CGAL_WIREFRAME_READ
   return options;

@@ -1,0 +1,297 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PRIMITIVE_FIT_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PRIMITIVE_FIT_H
+
+#include <CGAL/Wireframe_extraction/internal/Curve_stations.h>
+#include <CGAL/Wireframe_extraction/internal/Primitive_curve.h>
+
+#include <Eigen/Dense>
+
+#include <boost/math/special_functions/gamma.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// Consecutive stations of a curve; those of a closed one may go on past its end.
+class Station_range
+{
+  const std::vector<Station>* m_stations;
+  std::size_t m_first, m_size;
+
+public:
+  Station_range(const std::vector<Station>& stations, std::size_t first, std::size_t size)
+    : m_stations(&stations), m_first(first), m_size(size)
+  {}
+
+  std::size_t size() const { return m_size; }
+  const Station& operator[](std::size_t i) const { return (*m_stations)[(m_first + i) % m_stations->size()]; }
+};
+
+// How well a curve explains stations. Squares of residuals are in units of the variance of a station.
+class Misfit
+{
+  static constexpr double cap = 16.;    // what is farther off than four standard deviations is an outlier
+
+  double m_capped = 0., m_robust = 0.;
+  std::size_t m_size = 0;
+
+public:
+  // Neighboring stations share errors of the field: about half as many are independent.
+  static constexpr double share_of_independent = 0.5;
+
+  void add(double square)
+  {
+    m_capped += (std::min)(square, cap);
+    m_robust += cap * std::log1p(square / cap);
+    ++m_size;
+  }
+
+  double capped() const { return m_capped; }
+  double robust() const { return m_robust; }    // what fits minimize
+
+  // the probability that the field errs that much or more if the curve is the true one
+  double probability(int number_of_parameters) const
+  {
+    const double degrees_of_freedom = 2. * double(m_size) - double(number_of_parameters);
+    if (!(degrees_of_freedom > 0.))
+      return 0.;
+    return boost::math::gamma_q(0.5 * share_of_independent * degrees_of_freedom, 0.5 * share_of_independent * m_capped);
+  }
+
+  static double weight(double square) { return 1. / (1. + square / cap); }
+};
+
+// Fits a line, a circle or an ellipse to stations, by robust least squares over its parameters.
+class Primitive_fit
+{
+  typedef Eigen::Matrix<double, Primitive_curve::most_parameters, 1> Parameters;
+
+public:
+  typedef Eigen::Matrix<double, Primitive_curve::most_parameters, Primitive_curve::most_parameters> Covariance;
+
+  Primitive_curve curve;
+  Misfit misfit;
+  Covariance covariance = Covariance::Zero();   // of the steps that Primitive_curve::moved() takes
+  bool is_valid = false;
+
+  Primitive_fit(Primitive_kind kind, const Station_range& stations)
+  {
+    curve.kind = kind;
+    if (2 * stations.size() <= std::size_t(curve.number_of_parameters()) || !initialize(stations))
+      return;
+    minimize(stations);
+    is_valid = curve.is_finite() && (kind == Primitive_kind::LINE || curve.minor_radius > 1e-3);
+  }
+
+  static double square(const Primitive_curve& curve, const Station& station)
+  {
+    const Vector residual = curve.foot(station.position) - station.position;
+    return residual.dot(station.information * residual);
+  }
+
+  static Misfit misfit_of(const Primitive_curve& curve, const Station_range& stations)
+  {
+    Misfit result;
+    for (std::size_t i = 0; i < stations.size(); ++i)
+      result.add(square(curve, stations[i]));
+    return result;
+  }
+
+private:
+  bool initialize(const Station_range& stations)
+  {
+    Vector mean = Vector::Zero();
+    for (std::size_t i = 0; i < stations.size(); ++i)
+      mean += stations[i].position / double(stations.size());
+    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    for (std::size_t i = 0; i < stations.size(); ++i)
+      moments += (stations[i].position - mean) * (stations[i].position - mean).transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments);
+    const Eigen::Matrix3d axes = solver.eigenvectors();
+    curve.center = mean;
+    if (curve.kind == Primitive_kind::LINE) {
+      curve.axis = axes.col(2);
+      return true;
+    }
+    curve.axis = axes.col(0);
+    curve.major = axes.col(2);
+    const double scale = std::sqrt(solver.eigenvalues()[2] / double(stations.size()));
+    if (!(scale > 1e-9))
+      return false;
+    std::vector<Eigen::Vector2d> plane;
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+      const Vector offset = (stations[i].position - mean) / scale;
+      plane.emplace_back(offset.dot(curve.major), offset.dot(curve.minor()));
+    }
+    return curve.kind == Primitive_kind::CIRCLE ? start_circle(plane, scale) : start_ellipse(plane, scale);
+  }
+
+  // the algebraic circle of Kasa
+  bool start_circle(const std::vector<Eigen::Vector2d>& points, double scale)
+  {
+    Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+    Vector right_side = Vector::Zero();
+    for (const Eigen::Vector2d& p : points) {
+      const Vector row(p.x(), p.y(), 1.);
+      matrix += row * row.transpose();
+      right_side += p.squaredNorm() * row;
+    }
+    const Vector x = matrix.ldlt().solve(right_side);
+    const Eigen::Vector2d center = 0.5 * x.head<2>();
+    const double square = x[2] + center.squaredNorm();
+    if (!(square > 0.) || !std::isfinite(square))
+      return false;
+    place(center, scale);
+    curve.major_radius = curve.minor_radius = scale * std::sqrt(square);
+    return true;
+  }
+
+  // the direct ellipse of Halir and Flusser (1998)
+  bool start_ellipse(const std::vector<Eigen::Vector2d>& points, double scale)
+  {
+    Eigen::Matrix3d s1 = Eigen::Matrix3d::Zero(), s2 = s1, s3 = s1;
+    for (const Eigen::Vector2d& p : points) {
+      const Vector quadratic(p.x() * p.x(), p.x() * p.y(), p.y() * p.y()), linear(p.x(), p.y(), 1.);
+      s1 += quadratic * quadratic.transpose();
+      s2 += quadratic * linear.transpose();
+      s3 += linear * linear.transpose();
+    }
+    const Eigen::Matrix3d t = -s3.ldlt().solve(s2.transpose());
+    const Eigen::Matrix3d m = s1 + s2 * t;
+    Eigen::Matrix3d reduced;
+    reduced << 0.5 * m.row(2), -m.row(1), 0.5 * m.row(0);
+    if (!reduced.allFinite())
+      return false;
+    const Eigen::EigenSolver<Eigen::Matrix3d> solver(reduced);
+    for (int k = 0; k < 3; ++k) {
+      const Vector q = solver.eigenvectors().col(k).real();
+      if (4. * q[0] * q[2] - q[1] * q[1] > 0. && std::abs(solver.eigenvalues()[k].imag()) < 1e-12)
+        return set_ellipse(q, t * q, scale);
+    }
+    return false;
+  }
+
+  // from a x^2 + b x y + c y^2 + d x + e y + f = 0
+  bool set_ellipse(const Vector& quadratic, const Vector& linear, double scale)
+  {
+    Eigen::Matrix2d form;
+    form << quadratic[0], 0.5 * quadratic[1], 0.5 * quadratic[1], quadratic[2];
+    const Eigen::Vector2d center = -0.5 * form.ldlt().solve(linear.head<2>());
+    const double level = -(linear[2] + 0.5 * linear.head<2>().dot(center));
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(form * (level > 0. ? 1. : -1.));
+    const double least = solver.eigenvalues()[0], most = solver.eigenvalues()[1];
+    if (!(least > 0.) || !(std::abs(level) > 0.) || !std::isfinite(most))
+      return false;
+    place(center, scale);
+    const Eigen::Vector2d x = solver.eigenvectors().col(0);
+    curve.major = x[0] * curve.major + x[1] * curve.minor();
+    curve.major_radius = scale * std::sqrt(std::abs(level) / least);
+    curve.minor_radius = scale * std::sqrt(std::abs(level) / most);
+    return true;
+  }
+
+  void place(const Eigen::Vector2d& center, double scale)
+  {
+    curve.center += scale * (center.x() * curve.major + center.y() * curve.minor());
+  }
+
+  // Levenberg and Marquardt, with central differences
+  void minimize(const Station_range& stations)
+  {
+    const int n = curve.number_of_parameters();
+    misfit = misfit_of(curve, stations);
+    double damping = 1e-6;
+    for (int round = 0; round < 30; ++round) {
+      Covariance matrix;
+      Parameters gradient;
+      linearize(stations, matrix, gradient);
+      Covariance damped = matrix;
+      for (int i = 0; i < Primitive_curve::most_parameters; ++i)
+        damped(i, i) = i < n ? damped(i, i) * (1. + damping) + 1e-12 * matrix.trace() : 1.;
+      const Parameters step = -damped.ldlt().solve(gradient);
+      const Primitive_curve candidate = curve.moved(step.data());
+      const Misfit next = candidate.is_finite() ? misfit_of(candidate, stations) : Misfit();
+      if (candidate.is_finite() && next.robust() <= misfit.robust()) {
+        const bool is_done = misfit.robust() - next.robust() <= 1e-6 * misfit.robust() + 1e-9;
+        curve = candidate;
+        misfit = next;
+        damping = (std::max)(1e-9, 0.1 * damping);
+        if (is_done)
+          break;
+      } else {
+        damping *= 10.;
+        if (damping > 1e6)
+          break;
+      }
+    }
+    if (curve.kind == Primitive_kind::ELLIPSE && curve.major_radius < curve.minor_radius) {
+      curve.major = curve.minor();
+      std::swap(curve.major_radius, curve.minor_radius);
+    }
+    set_covariance(stations);
+  }
+
+  void linearize(const Station_range& stations, Covariance& matrix, Parameters& gradient) const
+  {
+    const int n = curve.number_of_parameters();
+    matrix.setZero();
+    gradient.setZero();
+    std::array<Primitive_curve, Primitive_curve::most_parameters> ahead, behind;
+    constexpr double h = 1e-5;
+    for (int i = 0; i < n; ++i) {
+      Parameters step = Parameters::Zero();
+      step[i] = h;
+      ahead[i] = curve.moved(step.data());
+      step[i] = -h;
+      behind[i] = curve.moved(step.data());
+    }
+    Eigen::Matrix<double, 3, Primitive_curve::most_parameters> jacobian;
+    jacobian.setZero();
+    for (std::size_t k = 0; k < stations.size(); ++k) {
+      const Station& station = stations[k];
+      const Vector residual = curve.foot(station.position) - station.position;
+      const Vector weighted = Misfit::weight(residual.dot(station.information * residual))
+        * (station.information * residual);
+      const double weight = Misfit::weight(residual.dot(station.information * residual));
+      for (int i = 0; i < n; ++i)
+        jacobian.col(i) = (ahead[i].foot(station.position) - behind[i].foot(station.position)) / (2. * h);
+      gradient += jacobian.transpose() * weighted;
+      matrix += weight * jacobian.transpose() * station.information * jacobian;
+    }
+  }
+
+  void set_covariance(const Station_range& stations)
+  {
+    const int n = curve.number_of_parameters();
+    Covariance matrix;
+    Parameters gradient;
+    linearize(stations, matrix, gradient);
+    for (int i = n; i < Primitive_curve::most_parameters; ++i)
+      matrix(i, i) = 1.;
+    covariance = matrix.ldlt().solve(Covariance(Covariance::Identity()));
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PRIMITIVE_FIT_H

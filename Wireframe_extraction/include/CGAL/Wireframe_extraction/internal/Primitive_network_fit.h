@@ -1,0 +1,309 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PRIMITIVE_NETWORK_FIT_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PRIMITIVE_NETWORK_FIT_H
+
+#include <CGAL/Wireframe_extraction/internal/Primitive_fit.h>
+#include <CGAL/Wireframe_extraction/internal/ceres_support.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// An edge of the network whose shape is that of a line, a circle or an ellipse.
+struct Primitive_edge
+{
+  static constexpr std::size_t no_vertex = static_cast<std::size_t>(-1);
+
+  Primitive_kind kind = Primitive_kind::LINE;
+  std::array<std::size_t, 2> vertices{{no_vertex, no_vertex}};
+  // What the vertices leave open. A circle passes through its two vertices and the first of these points, through its
+  // vertex and two, or through all three; an ellipse is given by its center and the tips of two conjugate radii.
+  std::array<Vector, 3> points{{Vector::Zero(), Vector::Zero(), Vector::Zero()}};
+  std::vector<Station> stations;
+
+  bool is_loop() const { return vertices[0] == vertices[1]; }
+  bool has_vertex() const { return vertices[0] != no_vertex; }
+
+  // the parameters that determine the shape
+  std::vector<double*> blocks(std::vector<Vector>& positions)
+  {
+    std::vector<double*> result;
+    if (kind != Primitive_kind::ELLIPSE && has_vertex())
+      result.push_back(positions[vertices[0]].data());
+    const std::size_t own = kind == Primitive_kind::LINE ? 0 : kind == Primitive_kind::ELLIPSE || !has_vertex() ? 3
+                            : is_loop() ? 2 : 1;
+    for (std::size_t i = 0; i < own; ++i)
+      result.push_back(points[i].data());
+    if (kind != Primitive_kind::ELLIPSE && has_vertex() && !is_loop())
+      result.push_back(positions[vertices[1]].data());
+    return result;
+  }
+
+  // in the order of `blocks()`
+  static Primitive_curve curve(Primitive_kind kind, double const* const* blocks)
+  {
+    const auto block = [blocks](int i) { return Vector(blocks[i][0], blocks[i][1], blocks[i][2]); };
+    if (kind == Primitive_kind::LINE)
+      return Primitive_curve::line(block(0), block(1));
+    if (kind == Primitive_kind::CIRCLE)
+      return Primitive_curve::circle(block(0), block(1), block(2));
+    return Primitive_curve::ellipse(block(0), block(1) - block(0), block(2) - block(0));
+  }
+
+  Primitive_curve curve(std::vector<Vector>& positions)
+  {
+    const std::vector<double*> parameters = blocks(positions);
+    return curve(kind, parameters.data());
+  }
+};
+
+// The whitened offset of a function of several points of three coordinates, by central differences.
+class Geometric_residual : public ceres::CostFunction
+{
+  typedef std::function<Vector(double const* const*)> Function;
+  Function m_function;
+
+public:
+  Geometric_residual(std::size_t number_of_blocks, Function function) : m_function(std::move(function))
+  {
+    set_num_residuals(3);
+    mutable_parameter_block_sizes()->assign(number_of_blocks, 3);
+  }
+
+  bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override
+  {
+    Eigen::Map<Vector> value(residuals);
+    value = m_function(blocks);
+    if (!value.allFinite())
+      return false;
+    if (!jacobians)
+      return true;
+    const std::size_t count = parameter_block_sizes().size();
+    std::vector<Vector> changed(count);
+    std::vector<const double*> pointers(count);
+    for (std::size_t b = 0; b < count; ++b) {
+      changed[b] = Eigen::Map<const Vector>(blocks[b]);
+      pointers[b] = changed[b].data();
+    }
+    constexpr double h = 1e-5;
+    for (std::size_t b = 0; b < count; ++b) {
+      if (!jacobians[b])
+        continue;
+      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor> > jacobian(jacobians[b]);
+      for (int k = 0; k < 3; ++k) {
+        const double kept = changed[b][k];
+        changed[b][k] = kept + h;
+        const Vector ahead = m_function(pointers.data());
+        changed[b][k] = kept - h;
+        jacobian.col(k) = (ahead - m_function(pointers.data())) / (2. * h);
+        changed[b][k] = kept;
+      }
+      if (!jacobian.allFinite())
+        return false;
+    }
+    return true;
+  }
+};
+
+// Fits lines, circles and ellipses that share vertices to their stations, all at once. Lines and circles pass through
+// their vertices by construction; what else has to hold exactly, tangents that agree and vertices on ellipses, is enforced
+// by augmented Lagrangians.
+class Primitive_network_fit
+{
+public:
+  // a spline that ends in a vertex keeps it on its tangent, as firmly as the field kept the spline
+  struct Spline_end { std::size_t vertex; Vector position, tangent; double deviation; };
+  // two edges that go on into each other at a vertex
+  struct Tangency { std::size_t vertex; std::array<std::size_t, 2> edges; };
+
+  std::vector<Vector> vertices;
+  std::vector<Primitive_edge> edges;
+  std::vector<Spline_end> spline_ends;
+  std::vector<Tangency> tangencies;
+
+  void run()
+  {
+    const std::vector<Vector> anchors = vertices;
+    const std::vector<Constraint> constraints = make_constraints();
+    std::vector<Vector> multipliers(constraints.size(), Vector::Zero());
+    double weight = 1e2;
+    solve(anchors, constraints, multipliers, 0.);
+    for (int round = 0; round < (constraints.empty() ? 0 : most_rounds); ++round, weight = (std::min)(1e7, 10. * weight)) {
+      solve(anchors, constraints, multipliers, weight);
+      double worst = 0.;
+      for (std::size_t i = 0; i < constraints.size(); ++i) {
+        const Vector value = constraints[i].function(constraints[i].blocks.data());
+        multipliers[i] += weight * value;
+        worst = (std::max)(worst, value.norm());
+      }
+      if (worst < 1e-10)
+        break;
+    }
+  }
+
+private:
+  static constexpr int most_rounds = 9;
+
+  struct Constraint
+  {
+    std::vector<double*> blocks;
+    std::function<Vector(double const* const*)> function;
+  };
+
+  // index of each block of the edge in `all`, which grows where it is missing
+  static std::vector<std::size_t> enter(const std::vector<double*>& blocks, std::vector<double*>& all)
+  {
+    std::vector<std::size_t> indices;
+    for (double* block : blocks) {
+      const auto found = std::find(all.begin(), all.end(), block);
+      indices.push_back(std::size_t(found - all.begin()));
+      if (found == all.end())
+        all.push_back(block);
+    }
+    return indices;
+  }
+
+  static Primitive_curve curve_of(Primitive_kind kind, const std::vector<std::size_t>& indices,
+                                  double const* const* blocks)
+  {
+    std::array<const double*, 3> own{};
+    for (std::size_t i = 0; i < indices.size(); ++i)
+      own[i] = blocks[indices[i]];
+    return Primitive_edge::curve(kind, own.data());
+  }
+
+  std::vector<Constraint> make_constraints()
+  {
+    std::vector<Constraint> result;
+    for (const Tangency& tangency : tangencies)
+      result.push_back(tangency_constraint(tangency));
+    for (Primitive_edge& edge : edges)
+      if (edge.kind == Primitive_kind::ELLIPSE && edge.has_vertex())
+        for (std::size_t e = 0; e < (edge.is_loop() ? 1u : 2u); ++e)
+          result.push_back(incidence_constraint(edge, edge.vertices[e]));
+    return result;
+  }
+
+  Constraint tangency_constraint(const Tangency& tangency)
+  {
+    Constraint result;
+    Primitive_edge &first = edges[tangency.edges[0]], &second = edges[tangency.edges[1]];
+    const std::vector<std::size_t> one = enter(first.blocks(vertices), result.blocks);
+    const std::vector<std::size_t> two = enter(second.blocks(vertices), result.blocks);
+    const std::size_t vertex = enter({vertices[tangency.vertex].data()}, result.blocks)[0];
+    const Primitive_kind first_kind = first.kind, second_kind = second.kind;
+    result.function = [=](double const* const* blocks) {
+      const Vector place = Eigen::Map<const Vector>(blocks[vertex]);
+      return Vector(curve_of(first_kind, one, blocks).tangent(place)
+                    .cross(curve_of(second_kind, two, blocks).tangent(place)));
+    };
+    return result;
+  }
+
+  Constraint incidence_constraint(Primitive_edge& edge, std::size_t vertex)
+  {
+    Constraint result;
+    const std::vector<std::size_t> own = enter(edge.blocks(vertices), result.blocks);
+    const std::size_t place = enter({vertices[vertex].data()}, result.blocks)[0];
+    const Primitive_kind kind = edge.kind;
+    result.function = [=](double const* const* blocks) {
+      const Vector p = Eigen::Map<const Vector>(blocks[place]);
+      return Vector(curve_of(kind, own, blocks).foot(p) - p);
+    };
+    return result;
+  }
+
+  static Eigen::Matrix3d square_root(const Eigen::Matrix3d& matrix)
+  {
+    // the eigenvalue along the tangent is zero, but for rounding
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix);
+    return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.).cwiseSqrt().asDiagonal()
+      * solver.eigenvectors().transpose();
+  }
+
+  void solve(const std::vector<Vector>& anchors, const std::vector<Constraint>& constraints,
+             const std::vector<Vector>& multipliers, double weight)
+  {
+    ceres::Problem::Options ownership;
+    ownership.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+    ceres::Problem problem(ownership);
+    ceres::CauchyLoss robust(4.);
+    for (Primitive_edge& edge : edges)
+      for (const Station& station : edge.stations) {
+        const std::vector<double*> blocks = edge.blocks(vertices);
+        const Primitive_kind kind = edge.kind;
+        const Eigen::Matrix3d root = square_root(station.information);
+        const Vector position = station.position;
+        problem.AddResidualBlock(new Geometric_residual(blocks.size(), [=](double const* const* parameters) {
+          return Vector(root * (Primitive_edge::curve(kind, parameters).foot(position) - position));
+        }), &robust, blocks);
+      }
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+      if (problem.HasParameterBlock(vertices[v].data()))
+        add_pull(problem, vertices[v], Eigen::Matrix3d(0.1 * Eigen::Matrix3d::Identity()), anchors[v]);
+    for (const Spline_end& end : spline_ends)
+      if (problem.HasParameterBlock(vertices[end.vertex].data()))
+        add_pull(problem, vertices[end.vertex],
+                 (Eigen::Matrix3d::Identity() - end.tangent * end.tangent.transpose()) / end.deviation, end.position);
+    if (weight > 0.)
+      for (std::size_t i = 0; i < constraints.size(); ++i) {
+        const auto function = constraints[i].function;
+        const double factor = std::sqrt(weight);
+        const Vector shift = multipliers[i] / weight;
+        problem.AddResidualBlock(new Geometric_residual(constraints[i].blocks.size(), [=](double const* const* parameters) {
+          return Vector(factor * (function(parameters) + shift));
+        }), nullptr, constraints[i].blocks);
+      }
+    if (problem.NumResidualBlocks() == 0)
+      return;
+    ceres::Solver::Options options;
+    options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+    options.max_num_iterations = 20;
+    options.function_tolerance = 1e-9;
+    // damping that is the same in all directions: the axes must not matter
+    options.jacobi_scaling = false;
+    options.min_lm_diagonal = options.max_lm_diagonal = 1.;
+    options.logging_type = ceres::SILENT;
+    options.num_threads = 1;
+    ceres::Solver::Summary summary;
+    const std::vector<Vector> kept = vertices;
+    const std::vector<Primitive_edge> kept_edges = edges;
+    ceres::Solve(options, &problem, &summary);
+    if (!summary.IsSolutionUsable()) {
+      std::copy(kept.begin(), kept.end(), vertices.begin());
+      for (std::size_t i = 0; i < edges.size(); ++i)
+        edges[i].points = kept_edges[i].points;
+    }
+  }
+
+  static void add_pull(ceres::Problem& problem, Vector& vertex, const Eigen::Matrix3d& root, const Vector& place)
+  {
+    problem.AddResidualBlock(new Geometric_residual(1, [root, place](double const* const* parameters) {
+      return Vector(root * (Eigen::Map<const Vector>(parameters[0]) - place));
+    }), nullptr, vertex.data());
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PRIMITIVE_NETWORK_FIT_H

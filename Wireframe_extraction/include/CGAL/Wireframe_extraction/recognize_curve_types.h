@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_RECOGNIZE_CURVE_TYPES_H
+#define CGAL_WIREFRAME_EXTRACTION_RECOGNIZE_CURVE_TYPES_H
+
+#include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
+#include <CGAL/Wireframe_extraction/internal/Curve_type_recognizer.h>
+#include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/Typed_curve_maker.h>
+#include <CGAL/Wireframe_extraction/parameters.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+
+namespace internal {
+
+template <class GeomTraits>
+Untyped_curve untyped(const Wireframe_skeleton<GeomTraits>& skeleton, const Wireframe_curve<GeomTraits>& curve)
+{
+  constexpr double step = 0.1;
+  Untyped_curve result;
+  result.vertices = {{curve.source, curve.target}};
+  result.number_of_parameters = 3. * double(curve.spline.control_points().size());
+  const double length = CGAL::to_double(curve.spline.length()) / skeleton.unit();
+  const std::size_t count = (std::max)(std::size_t(16), std::size_t(std::ceil(length / step)));
+  std::vector<typename GeomTraits::Point_3> points;
+  curve.spline.sample_by_count(count + 1, std::back_inserter(points));
+  for (const typename GeomTraits::Point_3& p : points)
+    result.polyline.push_back(skeleton.to_local(p));
+  if (curve.is_closed())
+    result.polyline.back() = result.polyline.front();
+  return result;
+}
+
+template <class GeomTraits>
+Wireframe<GeomTraits> recognize(const Wireframe_skeleton<GeomTraits>& skeleton, const Wireframe<GeomTraits>& wireframe,
+                                const Extraction_options& options)
+{
+  std::vector<Untyped_curve> curves;
+  for (const Wireframe_curve<GeomTraits>& curve : wireframe.curves)
+    curves.push_back(untyped(skeleton, curve));
+  std::vector<Vector> vertices;
+  for (const typename GeomTraits::Point_3& p : wireframe.vertices)
+    vertices.push_back(skeleton.to_local(p));
+  const double noise = options.noise_level >= 0. ? (std::min)(1., options.noise_level)
+    : skeleton.is_contracted() ? skeleton.contraction().noise : 0.1;
+  Curve_type_recognizer recognizer(skeleton.band(), noise, options.support_distance, options.type_significance, vertices,
+                                   curves);
+  std::vector<Typed_piece> pieces = recognizer.run();
+
+  // of the cuts that were tried, those that are left become vertices
+  std::vector<std::size_t> new_index(recognizer.vertices().size(), Typed_piece::no_vertex);
+  std::vector<Vector> kept;
+  Wireframe<GeomTraits> result;
+  result.sampling_distance = wireframe.sampling_distance;
+  const auto keep = [&](std::size_t v) {
+    if (new_index[v] == Typed_piece::no_vertex) {
+      new_index[v] = kept.size();
+      kept.push_back(recognizer.vertices()[v]);
+      const bool is_untouched = v < vertices.size() && recognizer.vertices()[v] == vertices[v];
+      result.vertices.push_back(is_untouched ? wireframe.vertices[v] : skeleton.to_point(recognizer.vertices()[v]));
+    }
+    return new_index[v];
+  };
+  for (std::size_t v = 0; v < wireframe.vertices.size(); ++v)
+    keep(v);
+  for (Typed_piece& piece : pieces)
+    for (std::size_t& v : piece.vertices)
+      v = v == Typed_piece::no_vertex ? v : keep(v);
+  const Typed_curve_maker<GeomTraits> maker(skeleton, kept, result.vertices);
+  for (const Typed_piece& piece : pieces)
+    result.curves.push_back(maker.make(piece, wireframe.curves[piece.curve], curves[piece.curve].polyline));
+  return result;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgWireframeExtractionFunctions
+
+replaces the splines of a wireframe by lines, circles, ellipses, and arcs of these, where the field says that they are.
+
+Along each curve, about every 1.5 r, the points nearby tell where the field has the curve and how firmly it is held there.
+A line, a circle and an ellipse are fitted to these stations by robust least squares, and the first of them is taken under
+which the stations are not less likely than `type_significance`: the sum of their squared residuals, in units of the variance
+that the noise level of the field implies, follows a chi-square distribution if the curve is the true one. Single residuals
+count as four standard deviations at most, and two stations as one independent observation, since neighbors share errors of
+the field. A curve that is none of them is cut: dynamic programming finds the lines and arcs, and the splines between them, of
+least Bayesian information criterion (Schwarz 1978), so that a slot becomes two lines and two arcs. Three arcs of circles in a
+row are no evidence of arcs, for any smooth curve can be approximated so, and with fewer than three stations nothing is
+recognized: such curves stay splines.
+
+Then all lines, circles and ellipses are fitted once more, at once, with the vertices as common parameters: corners stay on
+all their curves, and where a cut joins a line and an arc, or two arcs, their tangents agree, if that is not less likely than
+`type_significance` either. What the common fit would make unlikely becomes a spline again. Splines follow the vertices.
+
+\tparam GeomTraits a model of `WireframeExtractionTraits_3`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param skeleton the skeleton
+\param wireframe the wireframe that `fit_curves()` makes from it; only splines are expected
+\param np an optional sequence of named parameters:
+\cgalNamedParamsBegin
+  \cgalParamNBegin{type_significance}
+    \cgalParamDescription{the share of true lines, circles and ellipses that are taken for splines because of the errors of the
+                          field. A smaller one takes more curves for lines and circles}
+    \cgalParamType{`double`}
+    \cgalParamDefault{0.001}
+    \cgalParamExtra{between 0 and 1}
+  \cgalParamNEnd
+  \cgalParamNBegin{support_distance}
+    \cgalParamDescription{how far from the curves points may lie that count, in multiples of r; at most what
+                          `select_skeleton()` kept}
+    \cgalParamType{`double`}
+    \cgalParamDefault{3}
+  \cgalParamNEnd
+  \cgalParamNBegin{noise_level}
+    \cgalParamDescription{the standard deviation of the distances, in multiples of r}
+    \cgalParamType{`double`}
+    \cgalParamDefault{what `contract_skeleton()` found}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the wireframe with types, parameters and their uncertainties. Its vertices are those of `wireframe`, in their order,
+then those of the cuts.
+
+Complexity: O(n log n) for n points, besides the solution of the sparse normal equations. The number of places at which cuts
+are tried is bounded.
+*/
+template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Wireframe<GeomTraits> recognize_curve_types(const Wireframe_skeleton<GeomTraits>& skeleton,
+                                            const Wireframe<GeomTraits>& wireframe,
+                                            const NamedParameters& np = CGAL::parameters::default_values())
+{
+  return internal::recognize(skeleton, wireframe, internal::extraction_options(np));
+}
+
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_RECOGNIZE_CURVE_TYPES_H
