@@ -558,8 +558,13 @@ void test_surroundings()
           && factor == UnitsMethods::GetCasCadeLengthUnit(), "the settings are as before");
 }
 
-int main()
+// With arguments, it only writes the sample into files of these names, for other programs to read.
+int main(int argc, char** argv)
 {
+  for(int i = 1; i < argc; ++i)
+    write(argv[i], make_sample());
+  if(argc > 1)
+    return 0;
   test_determinism(); // first, when OpenCASCADE has not written anything yet
   test_surroundings();
   for(const double scale : { 1., 1e-3, 1e6 })

@@ -77,7 +77,7 @@ inline void set_iges_header(const Handle(IGESData_IGESModel)& model, double tole
   header.SetReceiveName(text("wireframe"));
   header.SetAuthorName(text(""));
   header.SetCompanyName(text(""));
-  header.SetDate(text("20000101.000000"));
+  header.SetDate(text("20000101.000000")); // has to be one
   header.SetLastChangeDate(text("20000101.000000"));
   header.SetResolution(tolerance);
   model->SetGlobalSection(header);
@@ -130,7 +130,8 @@ bool write_iges(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
 ///
 /// The curves are entities 110 (line), 100 (circle or arc), 104 (ellipse or elliptic arc) and 126 (B-spline), after their
 /// type. Curves that form a closed loop, with no other curve at any of their vertices, are a composite curve (102).
-/// Numbers have 16 digits, and the same wireframe gives the same bytes: there is no true date.
+/// Numbers have 16 digits, and the same wireframe gives the same bytes: the date in the file is
+/// always the same.
 ///
 /// The format cannot hold which curves share a vertex (their ends are the same point), a vertex without curve, and
 /// what `Wireframe_curve` says of uncertainty, residuals and support. A closed ellipse loses where it starts.

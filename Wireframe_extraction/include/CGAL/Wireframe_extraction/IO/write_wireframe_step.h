@@ -63,7 +63,7 @@ inline void set_step_header(const Handle(StepData_StepModel)& model)
     return array;
   };
   header.SetName(step_text("wireframe"));
-  header.SetTimeStamp(step_text(""));
+  header.SetTimeStamp(step_text("2000-01-01T00:00:00")); // has to be one
   header.SetAuthor(list(""));
   header.SetOrganization(list(""));
   header.SetAuthorisation(step_text(""));
@@ -196,7 +196,8 @@ bool write_step(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
 /// The curves are the trimmed curves of a geometric curve set, the kind of wireframe that CAD programs read, as
 /// `LINE`, `CIRCLE`, `ELLIPSE` or `B_SPLINE_CURVE`, after their type, and named after their index and type, such as
 /// `curve_0_line`. Curves that form a closed loop, with no other curve at any of their vertices, are the segments of a
-/// `COMPOSITE_CURVE`. Numbers have 16 digits, and the same wireframe gives the same bytes: there is no date.
+/// `COMPOSITE_CURVE`. Numbers have 16 digits, and the same wireframe gives the same bytes: the
+/// date in the file is always the same.
 ///
 /// The format cannot hold which curves share a vertex (their ends are the same point), a vertex without curve, and
 /// what `Wireframe_curve` says of uncertainty, residuals and support.
