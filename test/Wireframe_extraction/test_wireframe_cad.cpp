@@ -417,6 +417,22 @@ void test_schemas()
   check_edges(read_shape("ap242.stp"), wireframe, 1., "AP242");
 }
 
+std::size_t count(const std::string& text, const std::string& word)
+{
+  std::size_t result = 0;
+  for(std::size_t i = text.find(word); i != std::string::npos; i = text.find(word, i + 1))
+    ++result;
+  return result;
+}
+
+// Readers forgive a loop that is passed the wrong way round; the format does not.
+void test_loop_in_step()
+{
+  const std::string file = read_file(write("loop.step", make_sample()));
+  check(count(file, "COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.T.,") == 2
+          && count(file, "COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.F.,") == 2, "directions in the loop");
+}
+
 // The same wireframe gives the same bytes, in a file or a stream, and however many were written before.
 void test_determinism()
 {
@@ -426,6 +442,8 @@ void test_determinism()
     const std::string first = read_file(write("first" + extension, wireframe));
     write("other" + extension, make_sample(2.), Unit::INCH, Schema::AP242);
     check(first == read_file(write("second" + extension, wireframe)), extension + " is the same again");
+    check(extension == ".brep" || count(first, extension == ".step" ? "2000-01-01T00:00:00" : "20000101.000000") > 0,
+          extension + " has always the same date");
     std::ostringstream stream;
     const bool is_written = extension == ".step"   ? CGAL::IO::write_wireframe_step(stream, wireframe)
                             : extension == ".iges" ? CGAL::IO::write_wireframe_iges(stream, wireframe)
@@ -571,6 +589,7 @@ int main(int argc, char** argv)
     test_sample(scale);
   test_units();
   test_schemas();
+  test_loop_in_step();
   test_gap();
   test_refused();
   test_unwritable();
