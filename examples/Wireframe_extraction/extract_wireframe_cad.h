@@ -1,5 +1,5 @@
-// The formats of CAD programs that the tool extract_wireframe writes, if it is built with OpenCASCADE. They are compiled
-// apart from the rest.
+// The formats of CAD programs that the tool extract_wireframe writes, if it is built with OpenCASCADE. They are
+// compiled apart from the rest.
 
 #ifndef EXTRACT_WIREFRAME_CAD_H
 #define EXTRACT_WIREFRAME_CAD_H

@@ -40,11 +40,7 @@ public:
         throw Error(USAGE_ERROR, "the name of an output file is empty");
       const std::string extension = CGAL::IO::internal::lower_extension(name);
       if(writers().count(extension) == 0)
-        throw Error(USAGE_ERROR, name + (CGAL::IO::internal::is_cad_extension(extension)
-                                           ? ": this extract_wireframe was built without OpenCASCADE, which " + extension
-                                             + " needs; install it (Debian: libocct-data-exchange-dev) and build again"
-                                           : ": unknown extension of a wireframe; known are .json, .obj, .ply, .step, "
-                                             ".stp, .iges, .igs, .brep, .polylines.txt, .txt and .cgal"));
+        throw Error(USAGE_ERROR, name + ": " + why_unknown(extension));
       check_writable(name);
     }
   }
@@ -58,6 +54,15 @@ public:
   }
 
 private:
+  static std::string why_unknown(const std::string& extension)
+  {
+    if(CGAL::IO::internal::is_cad_extension(extension))
+      return "this extract_wireframe was built without OpenCASCADE, which " + extension
+             + " needs; install it (Debian: libocct-data-exchange-dev) and build again";
+    return "unknown extension of a wireframe; known are .json, .obj, .ply, .step, .stp, .iges, .igs, .brep, "
+           ".polylines.txt, .txt and .cgal";
+  }
+
   static const std::map<std::string, Writer>& writers()
   {
     namespace parameters = CGAL::Wireframe_extraction::parameters;
@@ -66,12 +71,21 @@ private:
       return CGAL::IO::write_wireframe_polylines(stream, wireframe, parameters::error_message(&error));
     };
 #ifdef EXTRACT_WIREFRAME_WITH_CAD
-    const Writer step = [](std::ostream& stream, const Wireframe& wireframe, const Options& options, std::string& error)
-    { return write_cad(".step", stream, wireframe, options.unit, options.step_schema, error); };
-    const Writer iges = [](std::ostream& stream, const Wireframe& wireframe, const Options& options, std::string& error)
-    { return write_cad(".iges", stream, wireframe, options.unit, options.step_schema, error); };
-    const Writer brep = [](std::ostream& stream, const Wireframe& wireframe, const Options& options, std::string& error)
-    { return write_cad(".brep", stream, wireframe, options.unit, options.step_schema, error); };
+    const Writer step = [](std::ostream& stream, const Wireframe& wireframe, const Options& options,
+                           std::string& error)
+    {
+      return write_cad(".step", stream, wireframe, options.unit, options.step_schema, error);
+    };
+    const Writer iges = [](std::ostream& stream, const Wireframe& wireframe, const Options& options,
+                           std::string& error)
+    {
+      return write_cad(".iges", stream, wireframe, options.unit, options.step_schema, error);
+    };
+    const Writer brep = [](std::ostream& stream, const Wireframe& wireframe, const Options& options,
+                           std::string& error)
+    {
+      return write_cad(".brep", stream, wireframe, options.unit, options.step_schema, error);
+    };
 #endif
     static const std::map<std::string, Writer> all = {
 #ifdef EXTRACT_WIREFRAME_WITH_CAD

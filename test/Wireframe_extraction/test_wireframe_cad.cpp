@@ -284,7 +284,7 @@ void check_parameters(const BRepAdaptor_Curve& edge, const Curve& curve, double 
           what + ": B-spline");
 }
 
-// Every curve is there once, as what it is, and nothing else is there. One unit of the wireframe is `scale` millimetres.
+// Every curve is there once, as what it is, and nothing else is. One unit of the wireframe is `scale` millimetres.
 void check_edges(const TopoDS_Shape& shape, const Wireframe& wireframe, double scale, const std::string& what)
 {
   const double tolerance = 1e-9 * size_of(wireframe);
@@ -535,6 +535,22 @@ void test_refused()
   check_refused(flat.wireframe, "length is zero");
 }
 
+// Whatever OpenCASCADE throws is told, and nothing is written.
+void test_exception()
+{
+  std::ostringstream stream;
+  std::string error;
+  const bool is_written = CGAL::IO::internal::write_with_opencascade(stream,
+    [](CGAL::IO::internal::Opencascade_session& session, std::ostream& text, std::string&)
+    {
+      text << "half";
+      session.set("no.such.setting", "1");
+      return true;
+    }, error);
+  check(!is_written && stream.str().empty() && error.find("no.such.setting") != std::string::npos,
+        "exception: " + error);
+}
+
 void test_unwritable()
 {
   const Wireframe wireframe = make_sample();
@@ -592,6 +608,7 @@ int main(int argc, char** argv)
   test_loop_in_step();
   test_gap();
   test_refused();
+  test_exception();
   test_unwritable();
   return 0;
 }

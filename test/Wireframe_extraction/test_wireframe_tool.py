@@ -222,8 +222,9 @@ class Tool_test(unittest.TestCase):
         self.assertIn("CONVERSION_BASED_UNIT('INCH'", inches)
         self.assertIn("4HINCH", self.read_text("b.igs"))
         for text in (step, inches):   # nothing is converted
-            found = {tuple(map(float, point)) for point in
-                     re.findall(r"CARTESIAN_POINT\([^,()]*,\(([^,()]+),([^,()]+),([^,()]+)\)\)", re.sub(r"\s+", "", text))}
+            points = re.findall(r"CARTESIAN_POINT\([^,()]*,\(([^,()]+),([^,()]+),([^,()]+)\)\)",
+                                re.sub(r"\s+", "", text))
+            found = {tuple(map(float, point)) for point in points}
             for vertex in self.read_json("b.json")["vertices"]:
                 self.assertLess(min(math.dist(vertex, point) for point in found), 1e-12)
 

@@ -67,7 +67,7 @@ inline Handle(IGESGeom_ConicArc) make_iges_ellipse(const TopoDS_Edge& edge)
 }
 
 // nothing of the time or the place, so that the same wireframe gives the same file
-inline void set_iges_header(const Handle(IGESData_IGESModel)& model, double tolerance)
+inline void set_iges_header(const Handle(IGESData_IGESModel)& model, const Wireframe_shape& shape)
 {
   const auto text = [](const char* value) { return new TCollection_HAsciiString(value); };
   IGESData_GlobalSection header = model->GlobalSection();
@@ -79,7 +79,8 @@ inline void set_iges_header(const Handle(IGESData_IGESModel)& model, double tole
   header.SetCompanyName(text(""));
   header.SetDate(text("20000101.000000")); // has to be one
   header.SetLastChangeDate(text("20000101.000000"));
-  header.SetResolution(tolerance);
+  header.SetResolution(shape.tolerance);
+  header.SetMaxCoord(shape.largest_coordinate);
   model->SetGlobalSection(header);
 }
 
@@ -114,7 +115,7 @@ bool write_iges(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
         return false;
       }
     }
-    set_iges_header(model, shape.tolerance);
+    set_iges_header(model, shape);
     writer.ComputeModel();
     IGESData_IGESWriter iges(model);
     iges.FloatWriter().SetFormat(opencascade_number_format());
@@ -128,10 +129,9 @@ bool write_iges(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
 /// \ingroup PkgWireframeExtractionIO
 /// writes a wireframe into a stream in the IGES format, version 5.3.
 ///
-/// The curves are entities 110 (line), 100 (circle or arc), 104 (ellipse or elliptic arc) and 126 (B-spline), after their
-/// type. Curves that form a closed loop, with no other curve at any of their vertices, are a composite curve (102).
-/// Numbers have 16 digits, and the same wireframe gives the same bytes: the date in the file is
-/// always the same.
+/// The curves are entities 110 (line), 100 (circle or arc), 104 (ellipse or elliptic arc) and 126 (B-spline), after
+/// their type. Curves that form a closed loop, with no other curve at any of their vertices, are a composite curve
+/// (102). Numbers have 16 digits, and the same wireframe gives the same bytes: the date in the file is always the same.
 ///
 /// The format cannot hold which curves share a vertex (their ends are the same point), a vertex without curve, and
 /// what `Wireframe_curve` says of uncertainty, residuals and support. A closed ellipse loses where it starts.

@@ -75,8 +75,10 @@ public:
   // changes a setting until the end of the session; the translator that knows it has to be initialized
   void set(const char* name, const char* value)
   {
-    settings_.emplace_back(name, Interface_Static::CVal(name));
-    if(!Interface_Static::SetCVal(name, value))
+    const bool is_known = Interface_Static::IsPresent(name);
+    if(is_known)
+      settings_.emplace_back(name, Interface_Static::CVal(name));
+    if(!is_known || !Interface_Static::SetCVal(name, value))
       throw Standard_Failure((std::string("the setting ") + name + " cannot be " + value).c_str());
   }
 

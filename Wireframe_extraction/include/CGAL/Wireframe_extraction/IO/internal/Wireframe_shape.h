@@ -69,11 +69,12 @@ struct Wireframe_shape
   TopoDS_Compound compound;
   std::vector<TopoDS_Edge> edges;   // of the curves, in their order
   std::vector<Child> children;      // of the compound, in its order
-  double size = 0.;                 // the diagonal of the box around all control points and vertices
+  double size = 0.;                 // the diagonal of the box around all control points
+  double largest_coordinate = 0.;   // of all control points, without sign
   double tolerance = 0.;            // farther apart than this are no two points that should be one
 };
 
-// Makes the shape of a wireframe in which nothing is wrong.
+// Makes the shape of a wireframe in which nothing is wrong, and which has a curve.
 template <class GeomTraits>
 class Wireframe_shape_builder
 {
@@ -96,7 +97,7 @@ public:
   // returns false and says why if a curve is none for OpenCASCADE
   bool build(Wireframe_shape& shape, std::string& error)
   {
-    shape.size = size();
+    measure(shape);
     shape.tolerance = 1e-9 * shape.size;
     for(const auto& vertex : wireframe_.vertices)
       vertices_.push_back(make_vertex(to_point(vertex)));
@@ -132,7 +133,7 @@ private:
   template <class Point>
   gp_Pnt to_point(const Point& point) const { return gp_Pnt(to_xyz(point)); }
 
-  double size() const
+  void measure(Wireframe_shape& shape) const
   {
     gp_XYZ low(HUGE_VAL, HUGE_VAL, HUGE_VAL), high = -1. * low;
     const auto add = [&](const gp_XYZ& p)
@@ -141,12 +142,13 @@ private:
       {
         low.SetCoord(k, (std::min)(low.Coord(k), p.Coord(k)));
         high.SetCoord(k, (std::max)(high.Coord(k), p.Coord(k)));
+        shape.largest_coordinate = (std::max)(shape.largest_coordinate, std::abs(p.Coord(k)));
       }
     };
     for(const Curve& curve : wireframe_.curves)
       for(const auto& point : curve.spline.control_points())
         add(to_xyz(point));
-    return wireframe_.curves.empty() ? 0. : (high - low).Modulus();
+    shape.size = (high - low).Modulus();
   }
 
   TopoDS_Vertex make_vertex(const gp_Pnt& point) const
