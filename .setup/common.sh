@@ -3,9 +3,12 @@
 # Expects the variable `root`, the folder of the project.
 
 packages=(g++ make cmake python3 libcgal-dev libeigen3-dev libceres-dev libtbb-dev nlohmann-json3-dev libcli11-dev)
-# What only the makers of cases from foreign files need, and with them the tests.
+# What only the makers of cases from foreign files and the formats of CAD programs need, and with them the tests.
 # shellcheck disable=SC2034
 test_packages=(libyaml-cpp-dev libocct-data-exchange-dev)
+# A program that reads what we write, for the tests of `test/run --all`; it is large.
+# shellcheck disable=SC2034
+reader_packages=(freecad)
 packages_are_checked=yes
 
 fail()

@@ -26,6 +26,7 @@ namespace tool {
 // the thresholds of the library with their defaults, which are written there once
 typedef CGAL::Wireframe_extraction::internal::Extraction_options Extraction_options;
 typedef CGAL::Wireframe_extraction::Length_unit Length_unit;
+typedef CGAL::Wireframe_extraction::Step_schema Step_schema;
 
 // what the exit code tells
 enum Exit_code { SUCCESS = 0, INTERNAL_ERROR = 1, USAGE_ERROR = 2, BAD_INPUT = 3, NO_FEATURE = 4 };
@@ -47,6 +48,7 @@ struct Options
   int number_of_threads = 0;      // 0: as many as there are
   double sampling_distance = 0.;  // 0: to be estimated
   Length_unit unit = Length_unit::MILLIMETER;
+  Step_schema step_schema = Step_schema::AP214;
   Extraction_options extraction;
 };
 
@@ -152,13 +154,17 @@ private:
       ->required()->type_name(" ");
     m_app.add_option("-o,--output", m_options.outputs,
                      "Where the wireframe goes, as often as needed; the extension gives the format: .json "
-                     "(all of it), or .obj .ply .polylines.txt .txt .cgal (sampled curves)")
+                     "(all of it), .step .stp .iges .igs .brep (curves for CAD programs), or .obj .ply "
+                     ".polylines.txt .txt .cgal (sampled curves)")
       ->required()->take_all()->allow_extra_args(false)->type_name("OUT")->group(group);
     add_choice("--unit", m_options.unit,
                {{"um", Length_unit::MICROMETER}, {"mm", Length_unit::MILLIMETER},
                 {"cm", Length_unit::CENTIMETER}, {"m", Length_unit::METER},
                 {"in", Length_unit::INCH}, {"ft", Length_unit::FOOT}},
                "What the coordinates of CLOUD are in, for formats that say so; nothing is converted", group);
+    add_choice("--step-schema", m_options.step_schema,
+               {{"ap214", Step_schema::AP214}, {"ap242", Step_schema::AP242}},
+               "The application protocol of .step and .stp", group);
     CLI::Option* const distances = m_app.add_option("--distances", m_options.distances,
                      "A text file with the distances, one per line, if they are not in CLOUD")
       ->type_name("FILE")->group(group);

@@ -3,6 +3,7 @@
 #ifndef EXTRACT_WIREFRAME_OUTPUTS_H
 #define EXTRACT_WIREFRAME_OUTPUTS_H
 
+#include "extract_wireframe_cad.h"
 #include "extract_wireframe_options.h"
 #include "extract_wireframe_stages.h"
 
@@ -37,9 +38,9 @@ public:
     {
       if(name.empty())
         throw Error(USAGE_ERROR, "the name of an output file is empty");
-      if(writers().count(CGAL::IO::internal::lower_extension(name)) == 0)
-        throw Error(USAGE_ERROR, name + ": unknown extension of a wireframe; known are .json, .obj, .ply, "
-                                        ".polylines.txt, .txt and .cgal");
+      const std::string extension = CGAL::IO::internal::lower_extension(name);
+      if(writers().count(extension) == 0)
+        throw Error(USAGE_ERROR, name + ": " + why_unknown(extension));
       check_writable(name);
     }
   }
@@ -53,6 +54,15 @@ public:
   }
 
 private:
+  static std::string why_unknown(const std::string& extension)
+  {
+    if(CGAL::IO::internal::is_cad_extension(extension))
+      return "this extract_wireframe was built without OpenCASCADE, which " + extension
+             + " needs; install it (Debian: libocct-data-exchange-dev) and build again";
+    return "unknown extension of a wireframe; known are .json, .obj, .ply, .step, .stp, .iges, .igs, .brep, "
+           ".polylines.txt, .txt and .cgal";
+  }
+
   static const std::map<std::string, Writer>& writers()
   {
     namespace parameters = CGAL::Wireframe_extraction::parameters;
@@ -60,7 +70,27 @@ private:
     {
       return CGAL::IO::write_wireframe_polylines(stream, wireframe, parameters::error_message(&error));
     };
+#ifdef EXTRACT_WIREFRAME_WITH_CAD
+    const Writer step = [](std::ostream& stream, const Wireframe& wireframe, const Options& options,
+                           std::string& error)
+    {
+      return write_cad(".step", stream, wireframe, options.unit, options.step_schema, error);
+    };
+    const Writer iges = [](std::ostream& stream, const Wireframe& wireframe, const Options& options,
+                           std::string& error)
+    {
+      return write_cad(".iges", stream, wireframe, options.unit, options.step_schema, error);
+    };
+    const Writer brep = [](std::ostream& stream, const Wireframe& wireframe, const Options& options,
+                           std::string& error)
+    {
+      return write_cad(".brep", stream, wireframe, options.unit, options.step_schema, error);
+    };
+#endif
     static const std::map<std::string, Writer> all = {
+#ifdef EXTRACT_WIREFRAME_WITH_CAD
+      { ".step", step }, { ".stp", step }, { ".iges", iges }, { ".igs", iges }, { ".brep", brep },
+#endif
       { ".json", [](std::ostream& stream, const Wireframe& wireframe, const Options&, std::string& error)
         { return CGAL::IO::write_wireframe_json(stream, wireframe, parameters::error_message(&error)); } },
       { ".obj", [](std::ostream& stream, const Wireframe& wireframe, const Options&, std::string& error)

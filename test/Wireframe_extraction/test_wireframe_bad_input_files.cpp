@@ -534,6 +534,8 @@ void test_bad_targets()
   refuse_target("", { "extension" });
   refuse_target("io_bad.dxf", { "io_bad.dxf", "unknown extension \".dxf\"", ".json", ".obj", ".ply", ".txt",
                                 ".cgal" });
+  for(const std::string name : { "io_bad.step", "io_bad.stp", "io_bad.iges", "io_bad.igs", "io_bad.brep" })
+    refuse_target(name, { name, "OpenCASCADE", "libocct-data-exchange-dev" }); // this test is built without
   refuse_target("io_bad_none/x.json", { "io_bad_none/x.json", "cannot be written", "directory" });
   assert(files_of(".") == before);
   fs::create_directory("io_bad_directory.obj");

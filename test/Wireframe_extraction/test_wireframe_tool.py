@@ -18,10 +18,12 @@ import sys
 import tempfile
 import time
 import unittest
+import unittest.mock
 
 TOOL = MAKE_CLOUD = None
 HERE = pathlib.Path(__file__).resolve().parent
 TIME_LIMIT = 280
+WITH_CAD = os.environ.get("EXTRACT_WIREFRAME_WITH_CAD") == "1"   # whether the tool is built with OpenCASCADE
 STAGES = ["1_skeleton.ply", "2_feet.ply", "3_corners.ply", "4_clusters.ply", "5_graph.ply", "6_curves.ply"]
 SUCCESS, INTERNAL_ERROR, USAGE_ERROR, BAD_INPUT, NO_FEATURE = range(5)
 
@@ -131,6 +133,9 @@ class Tool_test(unittest.TestCase):
         path.write_bytes(text if isinstance(text, bytes) else text.encode())
         return self.refuse(exit_code, [name] + words, name, "-o", "out.json", *arguments)
 
+    def read_text(self, name):
+        return (self.folder / name).read_text()
+
     def read_json(self, name):
         def refuse_constant(text):
             raise AssertionError(f"{text} in {name}")
@@ -186,6 +191,59 @@ class Tool_test(unittest.TestCase):
         self.assertEqual(len(sampled(self.folder / "a.polylines.txt")), 12)
         for name in ("b.txt", "a.cgal"):
             self.assertEqual(sampled(self.folder / name), sampled(self.folder / "a.polylines.txt"))
+
+    @staticmethod
+    def quiet_about_leaks():
+        """What OpenCASCADE never frees is not ours."""
+        return unittest.mock.patch.dict(os.environ, ASAN_OPTIONS="detect_leaks=0")
+
+    @unittest.skipUnless(WITH_CAD, "built without OpenCASCADE")
+    def test_cad_formats(self):
+        names = ["a.step", "a.stp", "a.iges", "a.igs", "a.brep", "A.STEP"]
+        outputs = sum((["-o", name] for name in names), [])
+        with self.quiet_about_leaks():
+            self.assertEqual(self.extract(self.shared / "box.ply", *outputs, "--quiet"), "")
+        self.assertEqual(self.files(), sorted(names))
+        step, iges, brep = (self.read_text(name) for name in ("a.step", "a.iges", "a.brep"))
+        self.assertIn("AUTOMOTIVE_DESIGN", step)
+        self.assertIn("LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.)", step)
+        self.assertEqual(step.count("= B_SPLINE_CURVE_WITH_KNOTS("), 12)
+        self.assertIn("2HMM", iges)
+        self.assertEqual(len(re.findall(r"(?m)^     126 .*D *\d*[13579]$", iges)), 12)
+        self.assertRegex(brep, r"(?m)^Curves 12$")
+        self.assertEqual((self.read_text("a.stp"), self.read_text("A.STEP")), (step, step))
+        self.assertEqual(self.read_text("a.igs"), iges)
+        with self.quiet_about_leaks():
+            said = self.extract(self.shared / "box.ply", "-o", "b.stp", "-o", "b.igs", "-o", "b.json", "--unit", "in",
+                                "--step-schema", "ap242")
+        self.assertIn("b.stp", said)
+        inches = self.read_text("b.stp")
+        self.assertIn("AP242_MANAGED_MODEL_BASED_3D_ENGINEERING", inches)
+        self.assertIn("CONVERSION_BASED_UNIT('INCH'", inches)
+        self.assertIn("4HINCH", self.read_text("b.igs"))
+        for text in (step, inches):   # nothing is converted
+            points = re.findall(r"CARTESIAN_POINT\([^,()]*,\(([^,()]+),([^,()]+),([^,()]+)\)\)",
+                                re.sub(r"\s+", "", text))
+            found = {tuple(map(float, point)) for point in points}
+            for vertex in self.read_json("b.json")["vertices"]:
+                self.assertLess(min(math.dist(vertex, point) for point in found), 1e-12)
+
+    @unittest.skipUnless(WITH_CAD and os.path.exists("/dev/full"), "built without OpenCASCADE")
+    def test_cad_formats_on_a_full_disk(self):
+        shutil.copy(self.shared / "box.ply", self.folder / "box.ply")
+        (self.folder / "old.obj").write_text("old")
+        os.symlink("/dev/full", self.folder / "full.json")
+        os.symlink("/dev/full", self.folder / "full.step")
+        with self.quiet_about_leaks():
+            self.assert_full(["-o", "old.obj", "-o", "new.step", "-o", "new.igs", "-o", "new.brep", "-o", "full.json"])
+            self.assert_full(["-o", "new.brep", "-o", "full.step", "-o", "old.obj"], "full.step")
+
+    @unittest.skipIf(WITH_CAD, "built with OpenCASCADE")
+    def test_without_cad_formats(self):
+        shutil.copy(self.shared / "box.ply", self.folder / "box.ply")
+        for name in ("part.step", "part.stp", "part.iges", "part.igs", "part.brep", "PART.STEP"):
+            self.refuse(USAGE_ERROR, [name, "without OpenCASCADE", "libocct-data-exchange-dev"],
+                        "box.ply", "-o", "out.json", "-o", name)
 
     def test_outputs_are_replaced(self):
         (self.folder / "out.json").write_text("old")
@@ -391,7 +449,7 @@ class Tool_test(unittest.TestCase):
                                ("--connection-angle", ["-1", "91"]),
                                ("--smooth-angle", ["181"]), ("--use-tangents", ["maybe", "2", ""]),
                                ("--corner-measure", ["residual", "0", ""]), ("--graph-method", ["TRACED"]),
-                               ("--end-detection", ["axis"]),
+                               ("--end-detection", ["axis"]), ("--step-schema", ["ap203", "AP214", ""]),
                                ("--number-of-rounds", ["0", "2.5", "-1", "1e3"]),
                                ("--threads", ["0", "-1", "x", "1.5", "99999999999999999999", ""])):
             for value in values:
@@ -458,11 +516,11 @@ class Tool_test(unittest.TestCase):
             outputs = sum((["-o", name] for name in names), [])
             self.assert_full(outputs)
 
-    def assert_full(self, outputs):
+    def assert_full(self, outputs, name="full.json"):
         names = self.files()
         done = self.run_tool("box.ply", *outputs)
         self.assertEqual(done.returncode, INTERNAL_ERROR, done.stderr)
-        self.assertRegex(done.stderr, r"\Aextract_wireframe: error: full\.json: [^\n]*full[^\n]*\n\Z")
+        self.assertRegex(done.stderr, r"\Aextract_wireframe: error: " + re.escape(name) + r": [^\n]*full[^\n]*\n\Z")
         self.assertEqual(done.stdout, "")
         self.assertEqual(self.files(), names)
         self.assertEqual((self.folder / "old.obj").read_text(), "old")

@@ -3,9 +3,16 @@
 set(prefix "${work_folder}/prefix")
 set(consumer_folder "${work_folder}/build")
 file(REMOVE_RECURSE "${work_folder}")
+file(MAKE_DIRECTORY "${work_folder}")
+
+if(expects_occt)
+  set(has_no_occt OFF)
+else()
+  set(has_no_occt ON)
+endif()
 
 function(run_or_fail)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY "${work_folder}" RESULT_VARIABLE result)
   if(NOT result EQUAL 0)
     string(JOIN " " command ${ARGN})
     message(FATAL_ERROR "failed (${result}): ${command}")
@@ -28,6 +35,8 @@ run_or_fail("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}" -B "${consumer_fol
   "-DEigen3_DIR=${Eigen3_DIR}"
   "-DCeres_DIR=${Ceres_DIR}"
   "-DCMAKE_RUNTIME_OUTPUT_DIRECTORY=${work_folder}/bin"
+  "-DCMAKE_DISABLE_FIND_PACKAGE_OpenCASCADE=${has_no_occt}"
+  "-Dexpects_occt=${expects_occt}"
   "-Dexpected_version=${version}")
 run_or_fail("${CMAKE_COMMAND}" --build "${consumer_folder}" ${configuration_arguments})
 
@@ -45,3 +54,8 @@ if(NOT number_of_programs EQUAL 1)
   message(FATAL_ERROR "expected one program, found: ${programs}")
 endif()
 run_or_fail(${programs})
+if(expects_occt)
+  file(GLOB_RECURSE programs "${work_folder}/bin/cad_consumer*")
+  list(FILTER programs INCLUDE REGEX "cad_consumer(\\.exe)?$")
+  run_or_fail(${programs})
+endif()

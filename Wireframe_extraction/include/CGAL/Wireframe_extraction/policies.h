@@ -51,6 +51,14 @@ enum class Length_unit
   FOOT
 };
 
+/// \ingroup PkgWireframeExtractionParameters
+/// The application protocol of ISO 10303 that a STEP file follows.
+enum class Step_schema
+{
+  AP214,  ///< automotive design; what every program reads
+  AP242   ///< managed model-based 3D engineering, its successor
+};
+
 } // namespace Wireframe_extraction
 } // namespace CGAL
 

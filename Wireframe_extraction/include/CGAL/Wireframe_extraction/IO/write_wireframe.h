@@ -21,6 +21,12 @@
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
+#ifdef CGAL_WIREFRAME_EXTRACTION_USE_OCCT
+#include <CGAL/Wireframe_extraction/IO/write_wireframe_brep.h>
+#include <CGAL/Wireframe_extraction/IO/write_wireframe_iges.h>
+#include <CGAL/Wireframe_extraction/IO/write_wireframe_step.h>
+#endif
+
 #include <string>
 
 namespace CGAL {
@@ -33,6 +39,12 @@ namespace IO {
 /// - `.obj`: `write_wireframe_obj()`
 /// - `.ply`: `write_wireframe_ply()`
 /// - `.txt` (thus `.polylines.txt`) and `.cgal`: `write_wireframe_polylines()`
+/// - `.step` and `.stp`: `write_wireframe_step()`
+/// - `.iges` and `.igs`: `write_wireframe_iges()`
+/// - `.brep`: `write_wireframe_brep()`
+///
+/// The last three need OpenCASCADE, and are there if the macro `CGAL_WIREFRAME_EXTRACTION_USE_OCCT` is defined, as
+/// the CMake target `CGAL::Wireframe_extraction_OCCT` does.
 ///
 /// The file is written as a whole or not at all: on failure a file of this name is as it was before, and
 /// nothing else is left behind.
@@ -46,7 +58,8 @@ namespace IO {
 ///   function for the format. A parameter that a format has no use for is passed over.
 ///
 /// \return `true` if all was written, else `false`: the wireframe has a number that is not finite, or is
-///   malformed in another way, the extension is unknown, or the file cannot be written.
+///   malformed in another way, the extension is unknown or needs OpenCASCADE and there is none, or the file
+///   cannot be written.
 ///
 /// Takes time and memory linear in the number of points written.
 template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -62,9 +75,22 @@ bool write_wireframe(const std::string& filename, const CGAL::Wireframe<GeomTrai
     return write_wireframe_ply(filename, wireframe, np);
   if(extension == ".txt" || extension == ".cgal")
     return write_wireframe_polylines(filename, wireframe, np);
+  if(internal::is_cad_extension(extension))
+  {
+#ifdef CGAL_WIREFRAME_EXTRACTION_USE_OCCT
+    if(extension == ".brep")
+      return write_wireframe_brep(filename, wireframe, np);
+    return extension == ".step" || extension == ".stp" ? write_wireframe_step(filename, wireframe, np)
+                                                       : write_wireframe_iges(filename, wireframe, np);
+#else
+    return internal::report(np, filename + ": " + extension + " needs OpenCASCADE, without which this program was "
+                                "built; link the CMake target CGAL::Wireframe_extraction_OCCT "
+                                "(Debian: libocct-data-exchange-dev)");
+#endif
+  }
   return internal::report(np, filename + ": unknown extension " + internal::quote(extension)
-                              + " of a wireframe; known are .json, .obj, .ply, .polylines.txt, .txt "
-                              "and .cgal");
+                              + " of a wireframe; known are .json, .obj, .ply, .step, .stp, .iges, "
+                              ".igs, .brep, .polylines.txt, .txt and .cgal");
 }
 
 } // namespace IO

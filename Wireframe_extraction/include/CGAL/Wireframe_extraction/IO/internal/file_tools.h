@@ -62,6 +62,15 @@ inline std::string lower_extension(const std::string& filename)
   return to_lower(std::filesystem::path(filename).extension().string());
 }
 
+// whether files with this extension, in lower case, are written by OpenCASCADE
+inline bool is_cad_extension(std::string_view extension)
+{
+  for(const char* const known : { ".step", ".stp", ".iges", ".igs", ".brep" })
+    if(extension == known)
+      return true;
+  return false;
+}
+
 } // namespace internal
 } // namespace IO
 } // namespace CGAL
