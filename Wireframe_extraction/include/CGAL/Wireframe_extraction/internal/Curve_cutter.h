@@ -15,6 +15,7 @@
 #include <CGAL/Wireframe_extraction/internal/Primitive_fit.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -39,6 +40,8 @@ struct Curve_piece
 class Curve_cutter
 {
   static constexpr std::size_t most_nodes = 40;     // places for cuts that are tried at first
+  static constexpr double most_turn = 15. * CGAL_PI / 180., most_gap = 0.5;   // from one piece to the next
+  static constexpr double least_spline_parameters = 3.;   // of one that goes on smoothly at both ends
 
   const std::vector<Station>& m_stations;
   const std::vector<double>& m_spline_parameters;   // of the spline, at each station
@@ -68,6 +71,7 @@ public:
         return a.size < b.size;
       });
       pieces = cut((largest->first + largest->size) % n);
+      part_where_it_closes(pieces);
     }
     shift_cuts(pieces);
     join_to_ellipses(pieces);
@@ -130,7 +134,7 @@ private:
       return Misfit::share_of_independent * piece.fit->misfit.capped()
         + (piece.fit->curve.number_of_parameters() + 1) * m_log_size;
     Misfit misfit;
-    double parameters = 9.;  // at its ends a spline is as free as a curve of degree two
+    double parameters = least_spline_parameters;
     for (std::size_t i = piece.first; i < piece.first + piece.size; ++i) {
       const Station& station = m_stations[i % m_stations.size()];
       const Vector residual = station.followed - station.position;
@@ -140,22 +144,52 @@ private:
     return Misfit::share_of_independent * misfit.capped() + parameters * m_log_size;
   }
 
-  Curve_piece best_piece(std::size_t first, std::size_t size, bool try_line, bool try_circle) const
+  // Whether a smooth curve may go on from one piece to the next: their curves meet in the middle between the stations
+  // around the cut, and in the same direction.
+  bool can_follow(const Curve_piece& before, const Curve_piece& after) const
   {
-    Curve_piece best;
-    best.first = first;
-    best.size = size;
-    double least = cost(best);
+    if (!before.fit || !after.fit)
+      return true;
+    const std::size_t n = m_stations.size();
+    const Station &last = m_stations[(after.first + n - 1) % n], &next = m_stations[after.first % n];
+    const Vector middle = 0.5 * (last.position + next.position);
+    const Vector tangent = next.position - last.position;
+    const Vector one = oriented(before.fit->curve.tangent(middle), tangent);
+    const Vector two = oriented(after.fit->curve.tangent(middle), tangent);
+    const double gap = (before.fit->curve.foot(middle) - after.fit->curve.foot(middle)).norm();
+    return gap < most_gap && one.dot(two) > std::cos(most_turn);
+  }
+
+  static Vector oriented(const Vector& v, const Vector& along) { return v.dot(along) < 0. ? Vector(-v) : v; }
+
+  // a path of pieces from the start to a node, the last of which is `piece`
+  struct Path
+  {
+    Curve_piece piece;
+    double total = 0.;
+    std::size_t node = 0, path = 0;     // the path that it continues
+  };
+
+  // the pieces between two nodes that are possible; the spline always is
+  void add_paths(std::size_t start, std::size_t from, std::size_t size, std::array<int, 2>& failures,
+                 std::vector<Path>& paths) const
+  {
+    Path path;
+    path.piece.first = (start + from) % m_stations.size();
+    path.piece.size = size;
+    paths.push_back(path);
     for (const Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE}) {
-      if (!(kind == Primitive_kind::LINE ? try_line : try_circle))
+      int& failed = failures[kind == Primitive_kind::LINE ? 0 : 1];
+      // what fails on two windows in a row fails on all that contain them
+      if (failed >= 2 || size < least_size(kind))
         continue;
-      const Curve_piece piece = try_piece(kind, first, size);
-      if (piece.fit && cost(piece) < least) {
-        least = cost(piece);
-        best = piece;
-      }
+      path.piece = try_piece(kind, path.piece.first, size);
+      failed = path.piece.fit ? 0 : failed + 1;
+      if (path.piece.fit)
+        paths.push_back(path);
+      if (path.piece.is_line())
+        break;
     }
-    return best;
   }
 
   std::vector<Curve_piece> cut(std::size_t start) const
@@ -165,36 +199,62 @@ private:
     for (std::size_t i = 0; i < n; i += step)
       nodes.push_back(i);
     nodes.push_back(n);
-    std::vector<double> least(nodes.size(), (std::numeric_limits<double>::max)());
-    std::vector<Curve_piece> last(nodes.size());
-    std::vector<std::size_t> from(nodes.size(), 0);
-    least[0] = 0.;
+    std::vector<std::vector<Path> > paths(nodes.size());
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-      // what fails on two windows in a row fails on all that contain them
-      int line_failures = 0, circle_failures = 0;
+      std::array<int, 2> failures{{0, 0}};
       for (std::size_t j = i + 1; j < nodes.size(); ++j) {
-        const std::size_t size = nodes[j] - nodes[i];
-        Curve_piece piece = best_piece((start + nodes[i]) % n, size, line_failures < 2, false);
-        if (size >= least_size(Primitive_kind::LINE))
-          line_failures = piece.fit ? 0 : line_failures + 1;
-        if (!piece.fit && circle_failures < 2) {
-          piece = best_piece((start + nodes[i]) % n, size, false, true);
-          if (size >= least_size(Primitive_kind::CIRCLE))
-            circle_failures = piece.fit ? 0 : circle_failures + 1;
-        }
-        const double total = least[i] + cost(piece);
-        if (total < least[j]) {
-          least[j] = total;
-          last[j] = piece;
-          from[j] = i;
-        }
+        std::vector<Path> next;
+        add_paths(start, nodes[i], nodes[j] - nodes[i], failures, next);
+        for (Path& path : next)
+          if (extend(paths[i], i, path))
+            paths[j].push_back(path);
       }
     }
+    const auto best = std::min_element(paths.back().begin(), paths.back().end(), [](const Path& a, const Path& b) {
+      return a.total < b.total;
+    });
     std::vector<Curve_piece> pieces;
-    for (std::size_t j = nodes.size() - 1; j > 0; j = from[j])
-      pieces.push_back(last[j]);
+    for (const Path* path = &*best;; path = &paths[path->node][path->path]) {
+      pieces.push_back(path->piece);
+      if (path->node == 0)
+        break;
+    }
     std::reverse(pieces.begin(), pieces.end());
     return pieces;
+  }
+
+  // continues the cheapest of the paths that end where `path` starts and that it can follow
+  bool extend(const std::vector<Path>& before, std::size_t node, Path& path) const
+  {
+    path.node = node;
+    path.total = cost(path.piece);
+    if (node == 0)
+      return true;
+    double least = (std::numeric_limits<double>::max)();
+    for (std::size_t k = 0; k < before.size(); ++k)
+      if (before[k].total < least && can_follow(before[k].piece, path.piece)) {
+        least = before[k].total;
+        path.path = k;
+      }
+    path.total += least;
+    return least < (std::numeric_limits<double>::max)();
+  }
+
+  // the last piece of a closed curve has to go on in the first one
+  void part_where_it_closes(std::vector<Curve_piece>& pieces) const
+  {
+    if (pieces.size() < 2 || can_follow(pieces.back(), pieces.front()))
+      return;
+    Curve_piece &last = pieces.back(), &first = pieces.front();
+    const std::size_t n = m_stations.size();
+    if (last.size < 2 || first.size < 2)
+      return;
+    Curve_piece spline;
+    spline.first = (first.first + n - 1) % n;
+    spline.size = 2;
+    last = same_kind(last, last.first, last.size - 1);
+    first = same_kind(first, (first.first + 1) % n, first.size - 1);
+    pieces.push_back(spline);
   }
 
   // moves each cut to the best place between those that were tried
@@ -212,7 +272,8 @@ private:
         const Curve_piece second = same_kind(after, (before.first + std::size_t(first_size)) % m_stations.size(),
                                              std::size_t(second_size));
         if (bool(first.fit) == bool(before.fit) && bool(second.fit) == bool(after.fit)
-            && cost(first) + cost(second) < least) {
+            && cost(first) + cost(second) < least && can_follow(first, second)
+            && (k < 2 || can_follow(pieces[k - 2], first)) && (k + 1 == pieces.size() || can_follow(second, pieces[k + 1]))) {
           least = cost(first) + cost(second);
           pieces[k - 1] = first;
           pieces[k] = second;

@@ -111,8 +111,9 @@ private:
     const Untyped_curve& curve = m_curves[c];
     Candidate result;
     result.stations = std::move(stations);
-    const std::vector<double> parameters(result.stations.size(),
-                                         curve.number_of_parameters / double(result.stations.size()));
+    // no spline can use more parameters than there are observations
+    const double density = (std::min)(1., curve.number_of_parameters / double(result.stations.size()));
+    const std::vector<double> parameters(result.stations.size(), density);
     result.pieces = Curve_cutter(result.stations, parameters, curve.is_closed_without_vertex(), m_significance).run();
     if (curve.is_loop() && result.pieces.size() == 1 && result.pieces[0].is_line())
       result.pieces[0].fit.reset();
