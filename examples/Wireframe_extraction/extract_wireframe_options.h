@@ -47,6 +47,7 @@ struct Options
   int number_of_threads = 0;      // 0: as many as there are
   double sampling_distance = 0.;  // 0: to be estimated
   Length_unit unit = Length_unit::MILLIMETER;
+  bool has_obj_splines = false;
   Extraction_options extraction;
 };
 
@@ -151,13 +152,17 @@ private:
       ->required()->type_name(" ");
     m_app.add_option("-o,--output", m_options.outputs,
                      "Where the wireframe goes, as often as needed; the extension gives the format: .json "
-                     "(all of it), or .obj .ply .polylines.txt .txt .cgal (sampled curves)")
+                     "(all of it), .dxf (its curves), .obj .ply .vtp .gltf .glb .polylines.txt .txt .cgal "
+                     "(sampled curves), .svg (a drawing), or .csv (a table)")
       ->required()->take_all()->allow_extra_args(false)->type_name("OUT")->group(group);
     add_choice("--unit", m_options.unit,
                {{"um", Length_unit::MICROMETER}, {"mm", Length_unit::MILLIMETER},
                 {"cm", Length_unit::CENTIMETER}, {"m", Length_unit::METER},
                 {"in", Length_unit::INCH}, {"ft", Length_unit::FOOT}},
                "What the coordinates of CLOUD are in, for formats that say so; nothing is converted", group);
+    m_app.add_flag("--obj-splines", m_options.has_obj_splines,
+                   "Write curves into .obj as free-form curves instead of polylines; not every program reads these")
+      ->group(group);
     CLI::Option* const distances = m_app.add_option("--distances", m_options.distances,
                      "A text file with the distances, one per line, if they are not in CLOUD")
       ->type_name("FILE")->group(group);

@@ -38,8 +38,8 @@ public:
       if(name.empty())
         throw Error(USAGE_ERROR, "the name of an output file is empty");
       if(writers().count(CGAL::IO::internal::lower_extension(name)) == 0)
-        throw Error(USAGE_ERROR, name + ": unknown extension of a wireframe; known are .json, .obj, .ply, "
-                                        ".polylines.txt, .txt and .cgal");
+        throw Error(USAGE_ERROR, name + ": unknown extension of a wireframe; known are "
+                                 + CGAL::IO::internal::known_wireframe_extensions());
       check_writable(name);
     }
   }
@@ -60,13 +60,36 @@ private:
     {
       return CGAL::IO::write_wireframe_polylines(stream, wireframe, parameters::error_message(&error));
     };
+    const Writer gltf = [](std::ostream& stream, const Wireframe& wireframe, const Options& options, std::string& error)
+    {
+      return CGAL::IO::write_wireframe_gltf(stream, wireframe, parameters::error_message(&error).unit(options.unit));
+    };
+    const Writer glb = [](std::ostream& stream, const Wireframe& wireframe, const Options& options, std::string& error)
+    {
+      return CGAL::IO::write_wireframe_gltf(
+        stream, wireframe, parameters::error_message(&error).unit(options.unit).use_binary_mode(true));
+    };
     static const std::map<std::string, Writer> all = {
       { ".json", [](std::ostream& stream, const Wireframe& wireframe, const Options&, std::string& error)
         { return CGAL::IO::write_wireframe_json(stream, wireframe, parameters::error_message(&error)); } },
-      { ".obj", [](std::ostream& stream, const Wireframe& wireframe, const Options&, std::string& error)
-        { return CGAL::IO::write_wireframe_obj(stream, wireframe, parameters::error_message(&error)); } },
+      { ".obj", [](std::ostream& stream, const Wireframe& wireframe, const Options& options, std::string& error)
+        { return CGAL::IO::write_wireframe_obj(
+            stream, wireframe, parameters::error_message(&error).obj_splines(options.has_obj_splines)); } },
       { ".ply", [](std::ostream& stream, const Wireframe& wireframe, const Options&, std::string& error)
         { return CGAL::IO::write_wireframe_ply(stream, wireframe, parameters::error_message(&error)); } },
+      { ".dxf", [](std::ostream& stream, const Wireframe& wireframe, const Options& options, std::string& error)
+        { return CGAL::IO::write_wireframe_dxf(
+            stream, wireframe, parameters::error_message(&error).unit(options.unit)); } },
+      { ".vtp", [](std::ostream& stream, const Wireframe& wireframe, const Options& options, std::string& error)
+        { return CGAL::IO::write_wireframe_vtp(
+            stream, wireframe, parameters::error_message(&error).unit(options.unit)); } },
+      { ".gltf", gltf },
+      { ".glb", glb },
+      { ".svg", [](std::ostream& stream, const Wireframe& wireframe, const Options& options, std::string& error)
+        { return CGAL::IO::write_wireframe_svg(
+            stream, wireframe, parameters::error_message(&error).unit(options.unit)); } },
+      { ".csv", [](std::ostream& stream, const Wireframe& wireframe, const Options&, std::string& error)
+        { return CGAL::IO::write_wireframe_csv(stream, wireframe, parameters::error_message(&error)); } },
       { ".txt", polylines },
       { ".cgal", polylines }
     };

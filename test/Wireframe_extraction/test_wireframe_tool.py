@@ -419,8 +419,9 @@ class Tool_test(unittest.TestCase):
         shutil.copy(self.shared / "box.ply", self.folder / "box.ply")
         (self.folder / "a_folder.json").mkdir()
         (self.folder / "a_file").write_text("old")
-        for name in ("out", "out.dxf", "out.json.gz"):
-            self.refuse(USAGE_ERROR, [name, "extension", ".json", ".obj", ".ply", ".txt", ".cgal"],
+        for name in ("out", "out.xyz", "out.json.gz"):
+            self.refuse(USAGE_ERROR, [name, "extension", ".json", ".dxf", ".obj", ".ply", ".vtp", ".gltf", ".glb", ".svg",
+                                      ".csv", ".txt", ".cgal"],
                         "box.ply", "-o", name)
         self.refuse(USAGE_ERROR, ["empty"], "box.ply", "-o", "")
         self.refuse(USAGE_ERROR, ["missing/out.json", "no folder"], "box.ply", "-o", "missing/out.json")
