@@ -3,9 +3,12 @@
 # Expects the variable `root`, the folder of the project.
 
 packages=(g++ make cmake python3 libcgal-dev libeigen3-dev libceres-dev libtbb-dev nlohmann-json3-dev libcli11-dev)
-# What only the makers of cases from foreign files need, and with them the tests.
+# What only the makers of cases from foreign files need, and the tests: the former, and a reader of written files.
 # shellcheck disable=SC2034
-test_packages=(libyaml-cpp-dev libocct-data-exchange-dev)
+test_packages=(libyaml-cpp-dev libocct-data-exchange-dev python3-ezdxf)
+# Readers of written files that are large; what needs them is skipped without.
+# shellcheck disable=SC2034
+reader_packages=(python3-vtk9)
 packages_are_checked=yes
 
 fail()
