@@ -3,7 +3,7 @@
 # Expects the variable `root`, the folder of the project.
 
 packages=(g++ make cmake python3 libcgal-dev libeigen3-dev libceres-dev libtbb-dev nlohmann-json3-dev libcli11-dev)
-# What only the makers of cases from foreign files need, and the tests: the former, and a reader of written files.
+# What only the makers of cases from foreign files need, and the tests, which also read what was written.
 # shellcheck disable=SC2034
 test_packages=(libyaml-cpp-dev libocct-data-exchange-dev python3-ezdxf)
 # Readers of written files that are large; what needs them is skipped without.

@@ -273,6 +273,85 @@ void test_dxf()
   assert(!handles.empty() && *handles.rbegin() < seed);
 }
 
+// the numbers of an entity, by their group codes
+typedef std::map<int, std::vector<double>> Dxf_numbers;
+
+Vector dxf_vector(const Dxf_numbers& numbers, int code)
+{
+  return Vector(numbers.at(code)[0], numbers.at(code + 10)[0], numbers.at(code + 20)[0]);
+}
+
+// A circle, an ellipse or an arc as the format defines it, at a share of its way.
+Point dxf_conic_point(const std::string& name, const Dxf_numbers& numbers, double share)
+{
+  const Vector n = dxf_vector(numbers, 210);
+  if(name == "ELLIPSE")
+  {
+    const double begin = numbers.at(41)[0], end = numbers.at(42)[0] + (numbers.at(42)[0] <= begin ? 2 * CGAL_PI : 0);
+    const double angle = begin + share * (end - begin);
+    const Vector major = dxf_vector(numbers, 11), minor = numbers.at(40)[0] * CGAL::cross_product(n, major);
+    return CGAL::ORIGIN + dxf_vector(numbers, 10) + std::cos(angle) * major + std::sin(angle) * minor;
+  }
+  const bool is_near_z = std::abs(n.x()) < 1. / 64 && std::abs(n.y()) < 1. / 64;
+  const Vector x = normalized(CGAL::cross_product(is_near_z ? Vector(0, 1, 0) : Vector(0, 0, 1), n));
+  const Vector y = CGAL::cross_product(n, x), c = dxf_vector(numbers, 10);
+  double begin = 0, end = 360;
+  if(name == "ARC")
+  {
+    begin = numbers.at(50)[0];
+    end = numbers.at(51)[0] + (numbers.at(51)[0] <= begin ? 360 : 0);
+  }
+  const double angle = (begin + share * (end - begin)) * CGAL_PI / 180, radius = numbers.at(40)[0];
+  return CGAL::ORIGIN + (c.x() + radius * std::cos(angle)) * x + (c.y() + radius * std::sin(angle)) * y + c.z() * n;
+}
+
+// every entity is where its curve is
+void test_dxf_geometry()
+{
+  const Wireframe wireframe = near_wireframe();
+  std::ostringstream stream;
+  assert(CGAL::IO::write_wireframe_dxf(stream, wireframe));
+  std::vector<std::pair<std::string, Dxf_numbers>> entities;
+  for(const auto& pair : parse_dxf(stream.str().substr(stream.str().find("ENTITIES") + 9)))
+  {
+    if(pair.first == 0)
+      entities.emplace_back(pair.second, Dxf_numbers());
+    else if(!entities.empty() && ((pair.first >= 10 && pair.first < 80) || (pair.first >= 210 && pair.first < 240)))
+      entities.back().second[pair.first].push_back(std::stod(pair.second));
+  }
+  for(std::size_t i = 0; i < wireframe.curves.size(); ++i)
+  {
+    const Curve& curve = wireframe.curves[i];
+    const std::string& name = entities.at(wireframe.vertices.size() + i).first;
+    const Dxf_numbers& numbers = entities[wireframe.vertices.size() + i].second;
+    for(const double share : { 0., 0.25, 0.7, 1. })
+    {
+      if(curve.type == Type::LINE)
+        assert(CGAL::ORIGIN + dxf_vector(numbers, 10) == wireframe.vertices[curve.source]
+               && CGAL::ORIGIN + dxf_vector(numbers, 11) == wireframe.vertices[curve.target]);
+      else if(curve.type == Type::BSPLINE)
+      {
+        std::vector<Point> points;
+        for(std::size_t j = 0; j < numbers.at(10).size(); ++j)
+          points.emplace_back(numbers.at(10)[j], numbers.at(20)[j], numbers.at(30)[j]);
+        assert(points == curve.spline.control_points() && numbers.at(40) == curve.spline.knots());
+        assert((curve.spline.is_rational() ? numbers.at(41) : std::vector<double>()) == curve.spline.weights());
+        assert(numbers.at(71)[0] == double(curve.spline.degree()) && (int(numbers.at(70)[0]) & 1) == curve.is_closed());
+      }
+      else
+      {
+        const Point point = dxf_conic_point(name, numbers, share);
+        const double angle = curve.conic.start_angle + share * (curve.conic.end_angle - curve.conic.start_angle);
+        // a circle of the format has no start of its own
+        if(curve.type == Type::CIRCLE)
+          assert(curve.spline.closest_point(point).distance < 1e-9);
+        else
+          assert(distance(point, curve.conic.point(angle)) < 1e-9);
+      }
+    }
+  }
+}
+
 // an ellipse that is too flat for the format is a spline, and an arc of a whole turn is a circle
 void test_dxf_limits()
 {
@@ -539,6 +618,44 @@ void test_gltf()
   }
 }
 
+// the floats are points of the curves, around the middle
+void test_gltf_points()
+{
+  const Wireframe wireframe = far_wireframe();
+  std::ostringstream stream, obj_stream;
+  assert(CGAL::IO::write_wireframe_gltf(stream, wireframe, parameters::unit(Length_unit::METER).use_binary_mode(true)));
+  const std::string binary = stream.str(), start = "\"translation\":[";
+  std::istringstream place(binary.substr(binary.find(start) + start.size(), 200));
+  double x, y, z;
+  char comma;
+  place >> x >> comma >> y >> comma >> z;
+  assert(place);
+  std::size_t position = 28 + load_size(binary, 12);
+  const auto next = [&binary, &position]()
+  {
+    const std::uint32_t bits = static_cast<std::uint32_t>(load_size(binary, position));
+    position += 4;
+    float value;
+    std::memcpy(&value, &bits, 4);
+    return double(value);
+  };
+  const auto next_point = [&]()
+  {
+    const double dx = next(), dy = next(), dz = next();
+    return Point(x + dx, y + dy, z + dz);
+  };
+  for(const Point& vertex : wireframe.vertices)
+    assert(distance(next_point(), vertex) < 5e-6);
+  for(const Curve& curve : wireframe.curves)
+  {
+    const double step = 0.25 * wireframe.sampling_distance;
+    const std::size_t count = std::size_t(std::ceil(curve.spline.length() / step - 1e-9));
+    for(std::size_t i = 0; i <= count; ++i)
+      assert(curve.spline.closest_point(next_point()).distance < 5e-6);
+  }
+  assert(position == binary.size());
+}
+
 void test_svg()
 {
   const Wireframe wireframe = near_wireframe();
@@ -633,6 +750,17 @@ void test_errors()
       large.vertices[0] = Point(-1.7e308, 0, 0);
       large.vertices[1] = Point(1.7e308, 0, 0);
       fails(name, "too large", large, none);
+    }
+    if(extension == ".dxf" || extension == ".csv")
+    {
+      Wireframe large = flat_wireframe();
+      large.vertices = { Point(-1.7e308, -1.7e308, 0), Point(1.7e308, 1.7e308, 0) };
+      large.curves.resize(1);
+      large.curves[0].type = Type::LINE;
+      large.curves[0].spline = Spline(1, { 0, 0, 1, 1 }, large.vertices);
+      large.curves[0].source = 0;
+      large.curves[0].target = 1;
+      fails(name, "scale", large, none);
     }
     fs::remove(name);
     fs::create_directory(name);
@@ -731,11 +859,13 @@ int main(int argc, char** argv)
     return 0;
   }
   test_dxf();
+  test_dxf_geometry();
   test_dxf_limits();
   test_obj_splines();
   test_csv();
   test_vtp();
   test_gltf();
+  test_gltf_points();
   test_svg();
   test_dispatch();
   test_errors();

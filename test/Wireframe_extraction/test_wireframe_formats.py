@@ -3,8 +3,8 @@
 
 usage: test_wireframe_formats.py TEST_WIREFRAME_FORMATS [options of unittest]
 
-TEST_WIREFRAME_FORMATS is the test program of that name, which writes the files. ezdxf (Debian: python3-ezdxf) reads DXF;
-VTK (Debian: python3-vtk9) reads its own format, and that test is skipped where it is missing.
+TEST_WIREFRAME_FORMATS is the test program of that name, which writes the files. ezdxf (Debian: python3-ezdxf) reads
+DXF; VTK (Debian: python3-vtk9) reads its own format, and that test is skipped where it is missing.
 """
 
 import base64

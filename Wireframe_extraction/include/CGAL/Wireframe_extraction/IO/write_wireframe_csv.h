@@ -21,6 +21,7 @@
 
 #include <CGAL/number_utils.h>
 
+#include <cmath>
 #include <cstddef>
 #include <ostream>
 #include <string>
@@ -139,6 +140,12 @@ bool write_csv(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
   error = wireframe_problem(wireframe, traits);
   if(!error.empty())
     return false;
+  for(std::size_t i = 0; i < wireframe.curves.size(); ++i)
+    if(!std::isfinite(CGAL::to_double(wireframe.curves[i].spline.length())))
+    {
+      error = "curve " + std::to_string(i) + " is too long for its length to be a number; scale the wireframe down";
+      return false;
+    }
   out << csv_header();
   for(std::size_t i = 0; i < wireframe.curves.size(); ++i)
     out << csv_row(i, wireframe.curves[i], traits);
@@ -150,13 +157,15 @@ bool write_csv(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
 /// \ingroup PkgWireframeExtractionIO
 /// writes a wireframe into a stream as a table of its curves in the CSV format of RFC 4180.
 ///
-/// There is a header with the names of the columns, and a row per curve: `index`, `type` (as in wireframe JSON), `closed`
-/// (`true` or `false`), `source` and `target` (indices of vertices), `length`; `center`, `axis` and `major_direction`
-/// (`_x`, `_y`, `_z` each), `major_radius`, `minor_radius`, `start_angle` and `end_angle` (in radians) of a circle, an
-/// ellipse, or an arc; the uncertainties of these (`position_uncertainty`, `direction_uncertainty`,
-/// `major_radius_uncertainty`, `minor_radius_uncertainty`); `rms`, `max` and `support`. Of a line, `center` is its middle
-/// and `axis` its direction. What a curve does not have is an empty field. Numbers have all digits and a decimal point
-/// whatever the locale; lengths are in the unit of the wireframe. Lines end with a carriage return and a line feed.
+/// There is a header with the names of the columns, and a row per curve: `index`, `type` (as in wireframe
+/// JSON), `closed` (`true` or `false`), `source` and `target` (indices of vertices), `length`; `center`,
+/// `axis` and `major_direction` (`_x`, `_y`, `_z` each), `major_radius`, `minor_radius`, `start_angle` and
+/// `end_angle` (in radians) of a circle, an ellipse, or an arc; the uncertainties of these
+/// (`position_uncertainty`, `direction_uncertainty`, `major_radius_uncertainty`, `minor_radius_uncertainty`);
+/// `rms`, `max` and `support`. Of a line, `center` is its middle and `axis` its direction. What a curve does
+/// not have is an empty field; an uncertainty that is not known is 0. Numbers have all digits and a decimal
+/// point whatever the locale; lengths are in the unit of the wireframe. Lines end with a carriage return and
+/// a line feed.
 ///
 /// The table does not hold the shape of B-splines, nor the positions of the vertices.
 ///

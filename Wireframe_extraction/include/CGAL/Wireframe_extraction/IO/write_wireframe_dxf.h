@@ -50,7 +50,7 @@ public:
       add_curve(curve);
   }
 
-  const std::string& text() const { return dxf_.text(); }
+  const Dxf_text& dxf() const { return dxf_; }
   const Dxf_extent& extent() const { return extent_; }
   std::string next_handle() const { return to_hexadecimal(handle_); }
 
@@ -113,7 +113,7 @@ private:
     const double begin = std::atan2(dot(conic.x, y), dot(conic.x, x)) + conic.start_angle;
     dxf_.add(100, "AcDbArc");
     dxf_.add(50, in_turn(begin * 180. / CGAL_PI, 360.));
-    dxf_.add(51, in_turn((begin + conic.sweep) * 180. / CGAL_PI, 360.));
+    dxf_.add(51, end_in_turn((begin + conic.sweep) * 180. / CGAL_PI, 360.));
   }
 
   void add_ellipse(const Curve& curve)
@@ -129,7 +129,7 @@ private:
     dxf_.add(210, conic.axis);
     dxf_.add(40, conic.minor_radius / conic.major_radius);
     dxf_.add(41, conic.is_full ? 0. : in_turn(conic.start_angle, 2. * CGAL_PI));
-    dxf_.add(42, conic.is_full ? 2. * CGAL_PI : in_turn(conic.start_angle + conic.sweep, 2. * CGAL_PI));
+    dxf_.add(42, conic.is_full ? 2. * CGAL_PI : end_in_turn(conic.start_angle + conic.sweep, 2. * CGAL_PI));
   }
 
   void add_spline(Wireframe_curve_type type, const Spline& spline)
@@ -156,6 +156,13 @@ private:
     return result < turn ? result : 0.;
   }
 
+  // an arc may end after a whole turn, but not before it started
+  static double end_in_turn(double angle, double turn)
+  {
+    const double result = in_turn(angle, turn);
+    return result > 0. ? result : turn;
+  }
+
   const GeomTraits& traits_;
   Dxf_text dxf_;
   Dxf_extent extent_;
@@ -179,8 +186,12 @@ bool write_dxf(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
   before.add("0 SECTION\n2 ENTITIES");
   after.add("0 ENDSEC");
   add_dxf_objects(after);
-  out << before.text() << entities.text() << after.text();
-  return true;
+  // the middle of a box, or coordinates in a plane, may be out of range where those of the wireframe are not
+  if(before.is_finite() && entities.dxf().is_finite())
+    out << before.text() << entities.dxf().text() << after.text();
+  else
+    error = "the wireframe is too large for this format; scale it down";
+  return error.empty();
 }
 
 } // namespace internal
@@ -188,15 +199,17 @@ bool write_dxf(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
 /// \ingroup PkgWireframeExtractionIO
 /// writes a wireframe into a stream in the DXF format of AutoCAD 2000 (AC1015, ascii).
 ///
-/// The curves are entities in space, exact up to rounding, in the model space and in the order of the wireframe: a line is a `LINE`, a circle a
-/// `CIRCLE`, an arc an `ARC`, an ellipse or an arc of one an `ELLIPSE`, and a B-spline a `SPLINE` with its degree, knots,
-/// weights and control points. A circle or an ellipse has the normal of its plane as its extrusion direction, about which
-/// an arc runs counterclockwise. Every kind of curve has a layer: `LINES`, `CIRCLES`, `ARCS`, `ELLIPSES`, `ELLIPTIC_ARCS`
-/// and `SPLINES`; before the curves, the vertices are `POINT` entities in the layer `VERTICES`. An ellipse whose radii differ by a factor of
-/// more than a million is a `SPLINE`, as the format has none; an arc of a whole turn is a full circle or ellipse.
+/// The curves are entities in space, exact up to rounding, in the model space and in the order of the
+/// wireframe: a line is a `LINE`, a circle a `CIRCLE`, an arc an `ARC`, an ellipse or an arc of one an
+/// `ELLIPSE`, and a B-spline a `SPLINE` with its degree, knots, weights and control points. A circle or an
+/// ellipse has the normal of its plane as its extrusion direction, about which an arc runs counterclockwise.
+/// Every kind of curve has a layer: `LINES`, `CIRCLES`, `ARCS`, `ELLIPSES`, `ELLIPTIC_ARCS` and `SPLINES`;
+/// before the curves, the vertices are `POINT` entities in the layer `VERTICES`. An ellipse whose radii
+/// differ by a factor of more than a million is a `SPLINE`, as the format has none; an arc of a whole turn is
+/// a full circle or ellipse.
 ///
-/// The format does not hold which vertices a curve joins, the uncertainties, how well the cloud supports a curve, and the
-/// sampling distance.
+/// The format does not hold which vertices a curve joins, the uncertainties, how well the cloud supports a
+/// curve, and the sampling distance.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
 /// \tparam NamedParameters a sequence of named parameters
@@ -207,8 +220,8 @@ bool write_dxf(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{unit}
-///     \cgalParamDescription{what one unit of the coordinates is; written as `$INSUNITS`, by which programs scale what
-///                           they insert}
+///     \cgalParamDescription{what one unit of the coordinates is; written as `$INSUNITS`, by which programs
+///                           scale what they insert}
 ///     \cgalParamType{`Wireframe_extraction::Length_unit`}
 ///     \cgalParamDefault{`Length_unit::MILLIMETER`}
 ///   \cgalParamNEnd
@@ -254,8 +267,8 @@ bool write_wireframe_dxf(std::ostream& stream, const CGAL::Wireframe<GeomTraits>
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{unit}
-///     \cgalParamDescription{what one unit of the coordinates is; written as `$INSUNITS`, by which programs scale what
-///                           they insert}
+///     \cgalParamDescription{what one unit of the coordinates is; written as `$INSUNITS`, by which programs
+///                           scale what they insert}
 ///     \cgalParamType{`Wireframe_extraction::Length_unit`}
 ///     \cgalParamDefault{`Length_unit::MILLIMETER`}
 ///   \cgalParamNEnd

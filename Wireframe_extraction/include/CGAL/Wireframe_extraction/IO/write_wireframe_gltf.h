@@ -171,8 +171,8 @@ private:
       }
     const auto to_text = [](float value) { return json_number(static_cast<double>(value)); };
     accessors_ += separator + "{\"bufferView\":0,\"byteOffset\":" + std::to_string(offset)
-                  + ",\"componentType\":5126,\"count\":" + std::to_string(indices.size()) + ",\"type\":\"VEC3\",\"min\":"
-                  + json_array(low, to_text) + ",\"max\":" + json_array(high, to_text) + "}";
+                  + ",\"componentType\":5126,\"count\":" + std::to_string(indices.size())
+                  + ",\"type\":\"VEC3\",\"min\":" + json_array(low, to_text) + ",\"max\":" + json_array(high, to_text) + "}";
   }
 
   // a conversion of what is out of range is undefined
@@ -252,16 +252,18 @@ bool write_gltf(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
 /// \ingroup PkgWireframeExtractionIO
 /// writes a wireframe into a stream in the format glTF 2.0.
 ///
-/// Every curve is a polyline (`LINE_STRIP`) with a node of its own, which is named after the index and the type of the
-/// curve, such as `curve_0_line`, and has `extras` with `index`, `type`, `closed`, `rms`, `max` and `support`; a closed polyline ends with
-/// the point it starts with. A node named `vertices` has the vertices as `POINTS`. Each kind of curve has a colour.
+/// Every curve is a polyline (`LINE_STRIP`) with a node of its own, which is named after the index and the
+/// type of the curve, such as `curve_0_line`, and has `extras` with `index`, `type`, `closed`, `rms`, `max`
+/// and `support`; a closed polyline ends with the point it starts with. A node named `vertices` has the
+/// vertices as `POINTS`. Each kind of curve has a colour.
 ///
-/// Coordinates are in single precision, relative to the middle of the wireframe: the node `wireframe`, above all others,
-/// has the middle as its translation, so that wireframes keep their precision far off the origin, too. The unit of glTF is
-/// the meter, so this node also has a scale, which converts from `unit`. Axes are not turned: glTF takes `y` as up.
+/// Coordinates are in single precision, relative to the middle of the wireframe: the node `wireframe`, above
+/// all others, has the middle as its translation, so that wireframes keep their precision far off the origin,
+/// too. The unit of glTF is the meter, so this node also has a scale, which converts from `unit`. Axes are
+/// not turned: glTF takes `y` as up.
 ///
-/// The format does not hold the curves themselves, their parameters and uncertainties, which vertices they join, and the
-/// sampling distance.
+/// The format does not hold the curves themselves, their parameters and uncertainties, which vertices they
+/// join, and the sampling distance.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
 /// \tparam NamedParameters a sequence of named parameters
@@ -285,8 +287,9 @@ bool write_gltf(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
 ///     \cgalParamDefault{`Length_unit::MILLIMETER`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{use_binary_mode}
-///     \cgalParamDescription{whether the binary form of the format (`.glb`) is written, or JSON (`.gltf`) with the
-///                           coordinates in base64; a stream for the binary form has to be opened in binary mode}
+///     \cgalParamDescription{whether the binary form of the format (`.glb`) is written, or JSON (`.gltf`)
+///                           with the coordinates in base64; a stream for the binary form has to be opened in
+///                           binary mode}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd

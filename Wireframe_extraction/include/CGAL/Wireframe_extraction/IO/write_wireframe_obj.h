@@ -163,14 +163,14 @@ bool write_obj(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
 /// curves that share a vertex share its point, and a closed polyline ends with the point it starts with.
 /// Coordinates are written with all digits.
 ///
-/// With `obj_splines`, curves are not sampled but written as free-form curves (`cstype bspline`, or `rat bspline` if they
-/// have weights), which not every program reads: a circle, an ellipse, or an arc as what `Wireframe_conic::to_spline()`
-/// makes of it, and a line as a segment (`l`). Groups and vertices are as before; the points that follow are control
-/// points, with their weight as fourth number. The format has no word for a closed curve, which is one that ends at
-/// the point it starts with.
+/// With `obj_splines`, curves are not sampled but written as free-form curves (`cstype bspline`, or
+/// `rat bspline` if they have weights), which not every program reads: a circle, an ellipse, or an arc as what
+/// `Wireframe_conic::to_spline()` makes of it, and a line as a segment (`l`). Groups and vertices are as
+/// before; the points that follow are control points, with their weight as fourth number. The format has no
+/// word for a closed curve, which is one that ends at the point it starts with.
 ///
-/// The format does not hold the parameters of circles and ellipses, the uncertainties, how well the cloud supports a
-/// curve, the sampling distance, and the unit.
+/// The format does not hold the parameters of circles and ellipses, the uncertainties, how well the cloud
+/// supports a curve, the sampling distance, and the unit.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
 /// \tparam NamedParameters a sequence of named parameters

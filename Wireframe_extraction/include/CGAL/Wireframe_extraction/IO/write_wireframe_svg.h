@@ -65,8 +65,8 @@ public:
   {
     out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\""
         << pixels(width_) << "\" height=\"" << pixels(height_) << "\" viewBox=\"0 0 " << pixels(width_) << " "
-        << pixels(height_) << "\" font-family=\"sans-serif\" font-size=\"14\">\n<title>Wireframe: top, front, right and "
-           "isometric view</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
+        << pixels(height_) << "\" font-family=\"sans-serif\" font-size=\"14\">\n<title>Wireframe: top, front, right "
+           "and isometric view</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
     for(const Svg_view& view : views_)
       write_view(out, wireframe, view);
     write_legend(out, wireframe);
@@ -230,14 +230,16 @@ bool write_svg(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
 /// \ingroup PkgWireframeExtractionIO
 /// writes a wireframe into a stream as a drawing in the SVG format.
 ///
-/// There are four views, all at one scale and arranged in third-angle projection: the front view (`x` to the right, `z`
-/// upwards), above it the top view (`x`, `y`), on its right the view from the right (`y`, `z`), and in the corner between
-/// these an isometric view, from the front, the right, and above. Each is a group (`g`) with the `id` "front", "top",
-/// "right" or "isometric", that has a title, a `polyline` per curve, with the type of the curve as its `class` and its index and type as a
-/// tooltip, and a `circle` per vertex. Each kind of curve has a colour. All curves are drawn, whatever is before them.
-/// Below is the size of the wireframe.
+/// There are four views, all at one scale and arranged in third-angle projection: the front view (`x` to the
+/// right, `z` upwards), above it the top view (`x`, `y`), on its right the view from the right (`y`, `z`),
+/// and in the corner between these an isometric view, from the front, the right, and above. Each is a group
+/// (`g`) with the `id` "front", "top", "right" or "isometric", that has a title, a `polyline` per curve, with
+/// the type of the curve as its `class` and its index and type as a tooltip, and a `circle` per vertex. Each
+/// kind of curve has a colour. All curves are drawn, whatever is before them. Below is the size of the
+/// wireframe.
 ///
-/// A drawing shows the wireframe, but holds neither its curves nor its scale: it is fitted to a page of about 1000 pixels.
+/// A drawing shows the wireframe, but holds neither its curves nor its scale: it is fitted to a page of about
+/// 1000 pixels.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
 /// \tparam NamedParameters a sequence of named parameters

@@ -71,7 +71,8 @@ template <class GeomTraits>
 void write_vtp_cells_data(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe)
 {
   typedef Wireframe_curve<GeomTraits> Curve;
-  const auto add = [&](const std::string& type, const std::string& name, const std::string& of_vertex, const auto& value)
+  const auto add = [&](const std::string& type, const std::string& name, const std::string& of_vertex,
+                       const auto& value)
   {
     write_vtp_cell_data(out, type, name, wireframe.vertices.size(), of_vertex, wireframe.curves, value);
   };
@@ -86,7 +87,8 @@ void write_vtp_cells_data(std::ostream& out, const CGAL::Wireframe<GeomTraits>& 
   };
   add("Int64", "index", "-1", [](std::size_t i, const Curve&) { return std::to_string(i); });
   add("Int32", "type", "-1", [](std::size_t, const Curve& c) { return std::to_string(static_cast<int>(c.type)); });
-  add("String", "type_name", vtp_codes("vertex"), [](std::size_t, const Curve& c) { return vtp_codes(name_of(c.type)); });
+  add("String", "type_name", vtp_codes("vertex"),
+      [](std::size_t, const Curve& c) { return vtp_codes(name_of(c.type)); });
   add("Int32", "closed", "0", [](std::size_t, const Curve& c) { return std::string(c.is_closed() ? "1" : "0"); });
   add("Int64", "source", "-1", [&](std::size_t, const Curve& c) { return vertex(c.source); });
   add("Int64", "target", "-1", [&](std::size_t, const Curve& c) { return vertex(c.target); });
@@ -174,17 +176,20 @@ bool write_vtp(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
 } // namespace internal
 
 /// \ingroup PkgWireframeExtractionIO
-/// writes a wireframe into a stream in the XML format of VTK for polygonal data (ascii), for instance for ParaView.
+/// writes a wireframe into a stream in the XML format of VTK for polygonal data (ascii), for instance for
+/// ParaView.
 ///
-/// Every vertex of the wireframe is a cell of one point, and every curve a polyline; the vertices come first, and are the
-/// first points, in their order. Curves that share a vertex share its point, and a closed polyline ends with the point it
-/// starts with. Each cell has the data `index` (of the curve), `type` (the value of `Wireframe_curve_type` as an integer,
-/// from 0 for a B-spline to 5 for an elliptic arc), `type_name`, `closed`, `source`, `target`, `length`, `radius` (the major one of an
-/// ellipse) and `minor_radius`, `rms`, `max` and `support`. Where there is no index or type it is -1, where there is no
-/// radius it is 0, and a vertex has the `type_name` "vertex". The sampling distance and the unit are field data. Numbers
-/// have all digits.
+/// Every vertex of the wireframe is a cell of one point, and every curve a polyline; the vertices come first,
+/// and are the first points, in their order. Curves that share a vertex share its point, and a closed
+/// polyline ends with the point it starts with. Each cell has the data `index` (of the curve), `type` (the
+/// value of `Wireframe_curve_type` as an integer, from 0 for a B-spline to 5 for an elliptic arc),
+/// `type_name`, `closed`, `source`, `target`, `length`, `radius` (the major one of an ellipse) and
+/// `minor_radius`, `rms`, `max` and `support`. Where there is no index or type it is -1, where there is no
+/// radius it is 0, and a vertex has the `type_name` "vertex". The sampling distance and the unit are field
+/// data. Numbers have all digits.
 ///
-/// The format does not hold the curves themselves, nor center, axis, angles and uncertainty of circles and ellipses.
+/// The format does not hold the curves themselves, nor center, axis, angles and uncertainty of circles and
+/// ellipses.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
 /// \tparam NamedParameters a sequence of named parameters
@@ -203,7 +208,8 @@ bool write_vtp(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
 ///                     pieces as that allows, a closed one into three at least.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{unit}
-///     \cgalParamDescription{what one unit of the coordinates is; its symbol, such as "mm", is written as the field `unit`}
+///     \cgalParamDescription{what one unit of the coordinates is; its symbol, such as "mm", is written as the
+///                           field `unit`}
 ///     \cgalParamType{`Wireframe_extraction::Length_unit`}
 ///     \cgalParamDefault{`Length_unit::MILLIMETER`}
 ///   \cgalParamNEnd
@@ -234,7 +240,8 @@ bool write_wireframe_vtp(std::ostream& stream, const CGAL::Wireframe<GeomTraits>
 }
 
 /// \ingroup PkgWireframeExtractionIO
-/// writes a wireframe into a file in the XML format of VTK for polygonal data (ascii), for instance for ParaView.
+/// writes a wireframe into a file in the XML format of VTK for polygonal data (ascii), for instance for
+/// ParaView.
 ///
 /// The content is that of the overload for a stream.
 /// The file is written as a whole or not at all: on failure a file of this name is as it was before, and
@@ -257,7 +264,8 @@ bool write_wireframe_vtp(std::ostream& stream, const CGAL::Wireframe<GeomTraits>
 ///                     pieces as that allows, a closed one into three at least.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{unit}
-///     \cgalParamDescription{what one unit of the coordinates is; its symbol, such as "mm", is written as the field `unit`}
+///     \cgalParamDescription{what one unit of the coordinates is; its symbol, such as "mm", is written as the
+///                           field `unit`}
 ///     \cgalParamType{`Wireframe_extraction::Length_unit`}
 ///     \cgalParamDefault{`Length_unit::MILLIMETER`}
 ///   \cgalParamNEnd

@@ -44,7 +44,7 @@ inline Spline_vector unit_vector(const Spline_vector& v)
 // of a wireframe need not be.
 struct Orthonormal_conic
 {
-  Spline_vector center, x, y, axis;
+  Spline_vector center, x, axis;   // the direction of the major axis, and the normal of the plane
   double major_radius, minor_radius, start_angle, sweep;
   bool is_full;   // a whole turn, even if the curve is an arc that ends at its start
 };
@@ -58,7 +58,6 @@ Orthonormal_conic orthonormal_conic(const Wireframe_curve<GeomTraits>& curve, co
   result.axis = unit_vector(vector_of(conic.axis, traits));
   const Spline_vector x = vector_of(conic.major_direction, traits);
   result.x = unit_vector(x - dot(x, result.axis) * result.axis);
-  result.y = cross(result.axis, result.x);
   result.major_radius = CGAL::to_double(conic.major_radius);
   result.minor_radius = (std::min)(CGAL::to_double(conic.minor_radius), result.major_radius);
   result.start_angle = CGAL::to_double(conic.start_angle);

@@ -19,6 +19,7 @@
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -67,7 +68,13 @@ class Dxf_text
 {
 public:
   void add(int code, const std::string& value) { text_ += std::to_string(code) + "\n" + value + "\n"; }
-  void add(int code, double value) { add(code, number_to_string(value)); }
+
+  void add(int code, double value)
+  {
+    is_finite_ = is_finite_ && std::isfinite(value);
+    add(code, number_to_string(value));
+  }
+
   void add(int code, int value) { add(code, std::to_string(value)); }
   void add(int code, std::size_t value) { add(code, std::to_string(value)); }
 
@@ -100,9 +107,11 @@ public:
   }
 
   const std::string& text() const { return text_; }
+  bool is_finite() const { return is_finite_; }
 
 private:
   std::string text_;
+  bool is_finite_ = true;
 };
 
 // the box around the content, which may be empty
