@@ -532,7 +532,7 @@ void test_bad_targets()
 {
   const std::set<std::string> before = files_of(".");
   refuse_target("", { "extension" });
-  refuse_target("io_bad.dxf", { "io_bad.dxf", "unknown extension \".dxf\"", ".json", ".obj", ".ply", ".txt",
+  refuse_target("io_bad.xyz", { "io_bad.xyz", "unknown extension \".xyz\"", ".json", ".dxf", ".obj", ".ply", ".txt",
                                 ".cgal" });
   refuse_target("io_bad_none/x.json", { "io_bad_none/x.json", "cannot be written", "directory" });
   assert(files_of(".") == before);
