@@ -4,7 +4,7 @@
 usage: test_wireframe_formats.py TEST_WIREFRAME_FORMATS [options of unittest]
 
 TEST_WIREFRAME_FORMATS is the test program of that name, which writes the files. ezdxf (Debian: python3-ezdxf) reads
-DXF; VTK (Debian: python3-vtk9) reads its own format, and that test is skipped where it is missing.
+DXF; VTK (Debian: python3-vtk9) reads its own format and glTF, and these tests are skipped where it is missing.
 """
 
 import base64
@@ -324,6 +324,30 @@ class Formats_test(unittest.TestCase):
                     self.assert_polyline(points, curve, arc_length, 3e-6 + tolerance)
                     if curve["closed"]:
                         self.assertEqual(points[0], points[-1])
+
+    @unittest.skipIf(vtk is None, "there is no VTK (Debian: python3-vtk9)")
+    def test_vtk_reads_gltf(self):
+        """VTK moves and scales as the nodes say: all is in meters, and where it should be."""
+        truth = self.truths["near"]
+        for name in ("near.gltf", "near.glb"):
+            errors, parts = [], []
+            reader = vtk.vtkGLTFReader()
+            for event in ("ErrorEvent", "WarningEvent"):
+                reader.AddObserver(event, lambda *_: errors.append(name))
+            reader.SetFileName(str(self.folder / name))
+            reader.Update()
+            self.assertEqual(errors, [])
+            iterator = reader.GetOutput().NewIterator()
+            iterator.InitTraversal()
+            while not iterator.IsDoneWithTraversal():
+                data = iterator.GetCurrentDataObject()
+                parts.append([[1000 * c for c in data.GetPoint(i)] for i in range(data.GetNumberOfPoints())])
+                iterator.GoToNextItem()
+            self.assertEqual(len(parts), 1 + len(truth["curves"]))
+            for p, vertex in zip(parts[0], truth["vertices"]):
+                self.assert_near(p, vertex, 1e-5)
+            for points, curve, arc_length in zip(parts[1:], truth["curves"], self.arc_lengths["near"]):
+                self.assert_polyline(points, curve, arc_length, 1e-5)
 
     def test_gltf_units(self):
         for unit, meters in METERS.items():
