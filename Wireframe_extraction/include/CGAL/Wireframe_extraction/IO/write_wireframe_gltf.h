@@ -13,6 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_GLTF_H
 
 #include <CGAL/Wireframe_extraction/IO/internal/Sampled_wireframe.h>
+#include <CGAL/Wireframe_extraction/IO/internal/byte_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/curve_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/file_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
@@ -27,7 +28,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -50,13 +50,6 @@ inline std::string to_base64(const std::string& bytes)
       text += (i + j > bytes.size()) ? '=' : digits[(bits >> (18 - 6 * j)) & 63u];
   }
   return text;
-}
-
-// least significant byte first, whatever the machine
-inline void append_gltf_bits(std::uint32_t bits, std::string& bytes)
-{
-  for(int i = 0; i < 4; ++i)
-    bytes += static_cast<char>(static_cast<unsigned char>(bits >> (8 * i)));
 }
 
 // The scene of a glTF file: a node per curve, below one that has the place and the unit.
@@ -164,10 +157,7 @@ private:
         const float coordinate = to_float(sampled_.points[indices[i]][j] - center_[j]);
         low[j] = (i == 0) ? coordinate : (std::min)(low[j], coordinate);
         high[j] = (i == 0) ? coordinate : (std::max)(high[j], coordinate);
-        std::uint32_t bits;
-        static_assert(sizeof(bits) == sizeof(coordinate), "a float has 32 bits");
-        std::memcpy(&bits, &coordinate, sizeof(bits));
-        append_gltf_bits(bits, bytes_);
+        append_little_endian(coordinate, bytes_);
       }
     const auto to_text = [](float value) { return json_number(static_cast<double>(value)); };
     accessors_ += separator + "{\"bufferView\":0,\"byteOffset\":" + std::to_string(offset)
@@ -216,14 +206,14 @@ inline void write_glb(std::ostream& out, std::string json, const std::string& by
 {
   json.resize((json.size() + 3) / 4 * 4, ' ');
   std::string start = "glTF", middle;
-  append_gltf_bits(2, start);
+  append_little_endian(std::uint32_t(2), start);
   const std::size_t size = 20 + json.size() + (bytes.empty() ? 0 : 8 + bytes.size());
-  append_gltf_bits(static_cast<std::uint32_t>(size), start);
-  append_gltf_bits(static_cast<std::uint32_t>(json.size()), start);
+  append_little_endian(static_cast<std::uint32_t>(size), start);
+  append_little_endian(static_cast<std::uint32_t>(json.size()), start);
   start += "JSON";
   if(!bytes.empty()) // which are coordinates of four bytes each
   {
-    append_gltf_bits(static_cast<std::uint32_t>(bytes.size()), middle);
+    append_little_endian(static_cast<std::uint32_t>(bytes.size()), middle);
     middle += std::string("BIN\0", 4);
   }
   out << start << json << middle << bytes;
