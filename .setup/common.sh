@@ -3,12 +3,13 @@
 # Expects the variable `root`, the folder of the project.
 
 packages=(g++ make cmake python3 libcgal-dev libeigen3-dev libceres-dev libtbb-dev nlohmann-json3-dev libcli11-dev)
-# What only the makers of cases from foreign files and the formats of CAD programs need, and with them the tests.
+# What only the makers of cases from foreign files and the formats of CAD programs need, and the tests, which also read
+# what was written.
 # shellcheck disable=SC2034
-test_packages=(libyaml-cpp-dev libocct-data-exchange-dev)
-# A program that reads what we write, for the tests of `test/run --all`; it is large.
+test_packages=(libyaml-cpp-dev libocct-data-exchange-dev python3-ezdxf)
+# Readers of written files that are large, for `test/run --all`; what needs them is skipped without.
 # shellcheck disable=SC2034
-reader_packages=(freecad)
+reader_packages=(freecad python3-vtk9)
 packages_are_checked=yes
 
 fail()

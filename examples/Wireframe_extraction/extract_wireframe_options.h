@@ -49,6 +49,7 @@ struct Options
   double sampling_distance = 0.;  // 0: to be estimated
   Length_unit unit = Length_unit::MILLIMETER;
   Step_schema step_schema = Step_schema::AP214;
+  bool has_obj_splines = false;
   Extraction_options extraction;
 };
 
@@ -154,8 +155,8 @@ private:
       ->required()->type_name(" ");
     m_app.add_option("-o,--output", m_options.outputs,
                      "Where the wireframe goes, as often as needed; the extension gives the format: .json "
-                     "(all of it), .step .stp .iges .igs .brep (curves for CAD programs), or .obj .ply "
-                     ".polylines.txt .txt .cgal (sampled curves)")
+                     "(all of it), .step .stp .iges .igs .brep .dxf (its curves), .obj .ply .vtp .gltf .glb "
+                     ".polylines.txt .txt .cgal (sampled curves), .svg (a drawing), or .csv (a table)")
       ->required()->take_all()->allow_extra_args(false)->type_name("OUT")->group(group);
     add_choice("--unit", m_options.unit,
                {{"um", Length_unit::MICROMETER}, {"mm", Length_unit::MILLIMETER},
@@ -165,6 +166,9 @@ private:
     add_choice("--step-schema", m_options.step_schema,
                {{"ap214", Step_schema::AP214}, {"ap242", Step_schema::AP242}},
                "The application protocol of .step and .stp", group);
+    m_app.add_flag("--obj-splines", m_options.has_obj_splines,
+                   "Write curves into .obj as free-form curves instead of polylines; not every program reads these")
+      ->group(group);
     CLI::Option* const distances = m_app.add_option("--distances", m_options.distances,
                      "A text file with the distances, one per line, if they are not in CLOUD")
       ->type_name("FILE")->group(group);

@@ -59,8 +59,7 @@ private:
     if(CGAL::IO::internal::is_cad_extension(extension))
       return "this extract_wireframe was built without OpenCASCADE, which " + extension
              + " needs; install it (Debian: libocct-data-exchange-dev) and build again";
-    return "unknown extension of a wireframe; known are .json, .obj, .ply, .step, .stp, .iges, .igs, .brep, "
-           ".polylines.txt, .txt and .cgal";
+    return std::string("unknown extension of a wireframe; known are ") + CGAL::IO::internal::known_wireframe_extensions();
   }
 
   static const std::map<std::string, Writer>& writers()
@@ -87,16 +86,39 @@ private:
       return write_cad(".brep", stream, wireframe, options.unit, options.step_schema, error);
     };
 #endif
+    const Writer gltf = [](std::ostream& stream, const Wireframe& wireframe, const Options& options, std::string& error)
+    {
+      return CGAL::IO::write_wireframe_gltf(stream, wireframe, parameters::error_message(&error).unit(options.unit));
+    };
+    const Writer glb = [](std::ostream& stream, const Wireframe& wireframe, const Options& options, std::string& error)
+    {
+      return CGAL::IO::write_wireframe_gltf(
+        stream, wireframe, parameters::error_message(&error).unit(options.unit).use_binary_mode(true));
+    };
     static const std::map<std::string, Writer> all = {
 #ifdef EXTRACT_WIREFRAME_WITH_CAD
       { ".step", step }, { ".stp", step }, { ".iges", iges }, { ".igs", iges }, { ".brep", brep },
 #endif
       { ".json", [](std::ostream& stream, const Wireframe& wireframe, const Options&, std::string& error)
         { return CGAL::IO::write_wireframe_json(stream, wireframe, parameters::error_message(&error)); } },
-      { ".obj", [](std::ostream& stream, const Wireframe& wireframe, const Options&, std::string& error)
-        { return CGAL::IO::write_wireframe_obj(stream, wireframe, parameters::error_message(&error)); } },
+      { ".obj", [](std::ostream& stream, const Wireframe& wireframe, const Options& options, std::string& error)
+        { return CGAL::IO::write_wireframe_obj(
+            stream, wireframe, parameters::error_message(&error).obj_splines(options.has_obj_splines)); } },
       { ".ply", [](std::ostream& stream, const Wireframe& wireframe, const Options&, std::string& error)
         { return CGAL::IO::write_wireframe_ply(stream, wireframe, parameters::error_message(&error)); } },
+      { ".dxf", [](std::ostream& stream, const Wireframe& wireframe, const Options& options, std::string& error)
+        { return CGAL::IO::write_wireframe_dxf(
+            stream, wireframe, parameters::error_message(&error).unit(options.unit)); } },
+      { ".vtp", [](std::ostream& stream, const Wireframe& wireframe, const Options& options, std::string& error)
+        { return CGAL::IO::write_wireframe_vtp(
+            stream, wireframe, parameters::error_message(&error).unit(options.unit)); } },
+      { ".gltf", gltf },
+      { ".glb", glb },
+      { ".svg", [](std::ostream& stream, const Wireframe& wireframe, const Options& options, std::string& error)
+        { return CGAL::IO::write_wireframe_svg(
+            stream, wireframe, parameters::error_message(&error).unit(options.unit)); } },
+      { ".csv", [](std::ostream& stream, const Wireframe& wireframe, const Options&, std::string& error)
+        { return CGAL::IO::write_wireframe_csv(stream, wireframe, parameters::error_message(&error)); } },
       { ".txt", polylines },
       { ".cgal", polylines }
     };

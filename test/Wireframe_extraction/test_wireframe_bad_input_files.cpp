@@ -532,7 +532,7 @@ void test_bad_targets()
 {
   const std::set<std::string> before = files_of(".");
   refuse_target("", { "extension" });
-  refuse_target("io_bad.dxf", { "io_bad.dxf", "unknown extension \".dxf\"", ".json", ".obj", ".ply", ".txt",
+  refuse_target("io_bad.xyz", { "io_bad.xyz", "unknown extension \".xyz\"", ".json", ".dxf", ".obj", ".ply", ".txt",
                                 ".cgal" });
   for(const std::string name : { "io_bad.step", "io_bad.stp", "io_bad.iges", "io_bad.igs", "io_bad.brep" })
     refuse_target(name, { name, "OpenCASCADE", "libocct-data-exchange-dev" }); // this test is built without

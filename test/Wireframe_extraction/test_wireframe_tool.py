@@ -245,6 +245,24 @@ class Tool_test(unittest.TestCase):
             self.refuse(USAGE_ERROR, [name, "without OpenCASCADE", "libocct-data-exchange-dev"],
                         "box.ply", "-o", "out.json", "-o", name)
 
+    def test_formats_of_other_programs(self):
+        names = ["a.dxf", "a.vtp", "a.gltf", "a.glb", "a.svg", "a.csv", "a.obj"]
+        self.extract(self.shared / "box.ply", *sum((["-o", name] for name in names), []), "--unit", "in",
+                     "--obj-splines")
+        self.assertEqual(self.files(), sorted(names))
+        content = {name: (self.folder / name).read_bytes() for name in names}
+        dxf = content["a.dxf"].decode().split("\n")
+        self.assertEqual(dxf.count("SPLINE"), 12)
+        self.assertEqual(dxf[dxf.index("$INSUNITS") + 2], "1")
+        self.assertIn(b'NumberOfLines="12"', content["a.vtp"])
+        gltf = json.loads(content["a.gltf"])
+        self.assertEqual((gltf["nodes"][0]["scale"], len(gltf["nodes"])), ([0.0254] * 3, 14))
+        self.assertEqual(content["a.glb"][:4], b"glTF")
+        self.assertEqual(content["a.svg"].count(b"<polyline "), 48)
+        self.assertRegex(content["a.svg"], rb"Size .* in, third-angle")
+        self.assertEqual(content["a.csv"].count(b"\r\n"), 13)
+        self.assertEqual(content["a.obj"].count(b"cstype bspline"), 12)
+
     def test_outputs_are_replaced(self):
         (self.folder / "out.json").write_text("old")
         self.extract(self.shared / "box.ply", "--output", "out.json")
@@ -477,8 +495,9 @@ class Tool_test(unittest.TestCase):
         shutil.copy(self.shared / "box.ply", self.folder / "box.ply")
         (self.folder / "a_folder.json").mkdir()
         (self.folder / "a_file").write_text("old")
-        for name in ("out", "out.dxf", "out.json.gz"):
-            self.refuse(USAGE_ERROR, [name, "extension", ".json", ".obj", ".ply", ".txt", ".cgal"],
+        for name in ("out", "out.xyz", "out.json.gz"):
+            self.refuse(USAGE_ERROR, [name, "extension", ".json", ".dxf", ".obj", ".ply", ".vtp", ".gltf", ".glb",
+                                      ".svg", ".csv", ".txt", ".cgal"],
                         "box.ply", "-o", name)
         self.refuse(USAGE_ERROR, ["empty"], "box.ply", "-o", "")
         self.refuse(USAGE_ERROR, ["missing/out.json", "no folder"], "box.ply", "-o", "missing/out.json")

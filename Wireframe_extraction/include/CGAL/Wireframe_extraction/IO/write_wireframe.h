@@ -14,10 +14,15 @@
 
 #include <CGAL/Wireframe_extraction/IO/internal/file_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/IO/write_wireframe_csv.h>
+#include <CGAL/Wireframe_extraction/IO/write_wireframe_dxf.h>
+#include <CGAL/Wireframe_extraction/IO/write_wireframe_gltf.h>
 #include <CGAL/Wireframe_extraction/IO/write_wireframe_json.h>
 #include <CGAL/Wireframe_extraction/IO/write_wireframe_obj.h>
 #include <CGAL/Wireframe_extraction/IO/write_wireframe_ply.h>
 #include <CGAL/Wireframe_extraction/IO/write_wireframe_polylines.h>
+#include <CGAL/Wireframe_extraction/IO/write_wireframe_svg.h>
+#include <CGAL/Wireframe_extraction/IO/write_wireframe_vtp.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
@@ -31,6 +36,16 @@
 
 namespace CGAL {
 namespace IO {
+namespace internal {
+
+// for messages
+inline const char* known_wireframe_extensions()
+{
+  return ".json, .step, .stp, .iges, .igs, .brep, .dxf, .obj, .ply, .vtp, .gltf, .glb, .svg, .csv, .polylines.txt, .txt "
+         "and .cgal";
+}
+
+} // namespace internal
 
 /// \ingroup PkgWireframeExtractionIO
 /// writes a wireframe into a file, in the format that the extension of the file (in upper or lower case)
@@ -38,6 +53,11 @@ namespace IO {
 /// - `.json`: `write_wireframe_json()`
 /// - `.obj`: `write_wireframe_obj()`
 /// - `.ply`: `write_wireframe_ply()`
+/// - `.dxf`: `write_wireframe_dxf()`
+/// - `.vtp`: `write_wireframe_vtp()`
+/// - `.gltf` and `.glb`: `write_wireframe_gltf()`
+/// - `.svg`: `write_wireframe_svg()`
+/// - `.csv`: `write_wireframe_csv()`
 /// - `.txt` (thus `.polylines.txt`) and `.cgal`: `write_wireframe_polylines()`
 /// - `.step` and `.stp`: `write_wireframe_step()`
 /// - `.iges` and `.igs`: `write_wireframe_iges()`
@@ -73,6 +93,16 @@ bool write_wireframe(const std::string& filename, const CGAL::Wireframe<GeomTrai
     return write_wireframe_obj(filename, wireframe, np);
   if(extension == ".ply")
     return write_wireframe_ply(filename, wireframe, np);
+  if(extension == ".dxf")
+    return write_wireframe_dxf(filename, wireframe, np);
+  if(extension == ".vtp")
+    return write_wireframe_vtp(filename, wireframe, np);
+  if(extension == ".gltf" || extension == ".glb")
+    return write_wireframe_gltf(filename, wireframe, np);
+  if(extension == ".svg")
+    return write_wireframe_svg(filename, wireframe, np);
+  if(extension == ".csv")
+    return write_wireframe_csv(filename, wireframe, np);
   if(extension == ".txt" || extension == ".cgal")
     return write_wireframe_polylines(filename, wireframe, np);
   if(internal::is_cad_extension(extension))
@@ -89,8 +119,7 @@ bool write_wireframe(const std::string& filename, const CGAL::Wireframe<GeomTrai
 #endif
   }
   return internal::report(np, filename + ": unknown extension " + internal::quote(extension)
-                              + " of a wireframe; known are .json, .obj, .ply, .step, .stp, .iges, "
-                              ".igs, .brep, .polylines.txt, .txt and .cgal");
+                              + " of a wireframe; known are " + internal::known_wireframe_extensions());
 }
 
 } // namespace IO

@@ -14,8 +14,12 @@
 
 #include <CGAL/Wireframe_extraction/IO/internal/Sampled_wireframe.h>
 #include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe_tools.h>
+#include <CGAL/Wireframe_extraction/Spline_curve_3.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
+
+#include <CGAL/number_utils.h>
 
 #include <cstddef>
 #include <ostream>
@@ -25,25 +29,128 @@ namespace CGAL {
 namespace IO {
 namespace internal {
 
+template <class GeomTraits>
+std::string obj_comment(const CGAL::Wireframe<GeomTraits>& wireframe)
+{
+  return "# wireframe: " + plural(wireframe.vertices.size(), "vertex", "vertices") + ", "
+         + plural(wireframe.curves.size(), "curve", "curves") + "\n";
+}
+
+inline std::string obj_group(std::size_t index, Wireframe_curve_type type)
+{
+  return "g curve_" + std::to_string(index) + "_" + name_of(type) + "\n";
+}
+
+// Writes curves as free-form curves. The vertices come first, and are the ends of curves as far as their weight
+// allows that; other control points stand before the curve to which they belong.
+template <class GeomTraits>
+class Obj_spline_writer
+{
+  typedef Wireframe_curve<GeomTraits> Curve;
+  typedef Spline_curve_3<GeomTraits> Spline;
+
+public:
+  Obj_spline_writer(std::ostream& out, const GeomTraits& traits) : out_(out), traits_(traits) {}
+
+  void write(const CGAL::Wireframe<GeomTraits>& wireframe)
+  {
+    out_ << obj_comment(wireframe);
+    for(const auto& vertex : wireframe.vertices)
+      out_ << "v " << to_text(coordinates_of(vertex, traits_)) << "\n";
+    number_of_points_ = wireframe.vertices.size();
+    for(std::size_t i = 0; i < wireframe.curves.size(); ++i)
+    {
+      const Curve& curve = wireframe.curves[i];
+      if(curve.type == Wireframe_curve_type::LINE)
+        write_line(i, curve);
+      else
+        write_spline(i, curve, is_conic(curve.type) ? curve.conic.to_spline(curve.is_closed(), traits_) : curve.spline);
+    }
+  }
+
+private:
+  // a segment needs no free form
+  void write_line(std::size_t index, const Curve& curve)
+  {
+    const std::string first = end_point(curve.source, curve.spline, 0);
+    const std::string last = end_point(curve.target, curve.spline, curve.spline.control_points().size() - 1);
+    out_ << obj_group(index, curve.type) << "l " << first << " " << last << "\n";
+  }
+
+  void write_spline(std::size_t index, const Curve& curve, const Spline& spline)
+  {
+    const std::size_t last = spline.control_points().size() - 1;
+    const std::string first_point = end_point(curve.source, spline, 0);
+    std::string points = first_point;
+    for(std::size_t i = 1; i < last; ++i)
+      points += " " + new_point(spline, i);
+    const bool ends_where_it_starts = spline.is_closed() && curve.target == Curve::no_vertex
+      && (!spline.is_rational() || spline.weights().front() == spline.weights().back());
+    points += " " + (ends_where_it_starts ? first_point : end_point(curve.target, spline, last));
+    out_ << obj_group(index, curve.type) << "cstype " << (spline.is_rational() ? "rat " : "") << "bspline\ndeg "
+         << std::to_string(spline.degree()) << "\ncurv " << text(spline.parameter_range().first) << " "
+         << text(spline.parameter_range().second) << " " << points << "\nparm u";
+    for(const auto& knot : spline.knots())
+      out_ << " " << text(knot);
+    out_ << "\nend\n";
+  }
+
+  // a vertex has the weight one
+  std::string end_point(std::size_t vertex, const Spline& spline, std::size_t i)
+  {
+    const bool is_plain = !spline.is_rational() || CGAL::to_double(spline.weights()[i]) == 1.;
+    return vertex != Curve::no_vertex && is_plain ? std::to_string(vertex + 1) : new_point(spline, i);
+  }
+
+  std::string new_point(const Spline& spline, std::size_t i)
+  {
+    out_ << "v " << to_text(coordinates_of(spline.control_points()[i], traits_));
+    if(spline.is_rational())
+      out_ << " " << text(spline.weights()[i]);
+    out_ << "\n";
+    return std::to_string(++number_of_points_);
+  }
+
+  template <class FT>
+  static std::string text(const FT& value) { return number_to_string(CGAL::to_double(value)); }
+
+  std::ostream& out_;
+  const GeomTraits& traits_;
+  std::size_t number_of_points_ = 0;
+};
+
 template <class GeomTraits, class NamedParameters>
-bool write_obj(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, const NamedParameters& np,
-               std::string& error)
+bool write_obj_polylines(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, const NamedParameters& np,
+                         std::string& error)
 {
   Sampled_wireframe sampled;
   if(!sample_wireframe(wireframe, np, sampled, error))
     return false;
-  out << "# wireframe: " << plural(wireframe.vertices.size(), "vertex", "vertices") << ", "
-      << plural(wireframe.curves.size(), "curve", "curves") << "\n";
+  out << obj_comment(wireframe);
   for(const Coordinates& point : sampled.points)
     out << "v " << to_text(point) << "\n";
   for(std::size_t i = 0; i < sampled.polylines.size(); ++i)
   {
-    out << "g curve_" << std::to_string(i) << "_" << name_of(wireframe.curves[i].type) << "\nl";
+    out << obj_group(i, wireframe.curves[i].type) << "l";
     for(const std::size_t index : sampled.polylines[i])
       out << " " << std::to_string(index + 1);
     out << "\n";
   }
   return true;
+}
+
+template <class GeomTraits, class NamedParameters>
+bool write_obj(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, const NamedParameters& np,
+               std::string& error)
+{
+  namespace internal_np = CGAL::Wireframe_extraction::internal_np;
+  if(!CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::obj_splines), false))
+    return write_obj_polylines(out, wireframe, np, error);
+  const GeomTraits traits = get_geom_traits<GeomTraits>(np);
+  error = wireframe_problem(wireframe, traits);
+  if(error.empty())
+    Obj_spline_writer<GeomTraits>(out, traits).write(wireframe);
+  return error.empty();
 }
 
 } // namespace internal
@@ -55,6 +162,15 @@ bool write_obj(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
 /// curve, such as `curve_0_line`. The points (`v`) start with the vertices of the wireframe in their order;
 /// curves that share a vertex share its point, and a closed polyline ends with the point it starts with.
 /// Coordinates are written with all digits.
+///
+/// With `obj_splines`, curves are not sampled but written as free-form curves (`cstype bspline`, or
+/// `rat bspline` if they have weights), which not every program reads: a circle, an ellipse, or an arc as what
+/// `Wireframe_conic::to_spline()` makes of it, and a line as a segment (`l`). Groups and vertices are as
+/// before; the points that follow are control points, with their weight as fourth number. The format has no
+/// word for a closed curve, which is one that ends at the point it starts with.
+///
+/// The format does not hold the parameters of circles and ellipses, the uncertainties, how well the cloud
+/// supports a curve, the sampling distance, and the unit.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
 /// \tparam NamedParameters a sequence of named parameters
@@ -71,6 +187,12 @@ bool write_obj(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
 ///                       curve if that is 0}
 ///     \cgalParamExtra{in the unit of the wireframe; has to be positive. A curve is split evenly into as few
 ///                     pieces as that allows, a closed one into three at least.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{obj_splines}
+///     \cgalParamDescription{whether curves are written as free-form curves, and not as polylines}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///     \cgalParamExtra{If it is `true`, `sampling_step` has no effect.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{error_message}
 ///     \cgalParamDescription{receives what went wrong; empty on success}
@@ -120,6 +242,12 @@ bool write_wireframe_obj(std::ostream& stream, const CGAL::Wireframe<GeomTraits>
 ///                       curve if that is 0}
 ///     \cgalParamExtra{in the unit of the wireframe; has to be positive. A curve is split evenly into as few
 ///                     pieces as that allows, a closed one into three at least.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{obj_splines}
+///     \cgalParamDescription{whether curves are written as free-form curves, and not as polylines}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///     \cgalParamExtra{If it is `true`, `sampling_step` has no effect.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{error_message}
 ///     \cgalParamDescription{receives what went wrong; empty on success}

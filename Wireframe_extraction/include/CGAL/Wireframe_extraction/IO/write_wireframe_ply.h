@@ -13,13 +13,13 @@
 #define CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_PLY_H
 
 #include <CGAL/Wireframe_extraction/IO/internal/Sampled_wireframe.h>
+#include <CGAL/Wireframe_extraction/IO/internal/byte_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <ostream>
 #include <string>
@@ -28,22 +28,6 @@
 namespace CGAL {
 namespace IO {
 namespace internal {
-
-// least significant byte first, whatever the machine
-template <class Unsigned>
-void append_little_endian(Unsigned bits, std::string& bytes)
-{
-  for(std::size_t i = 0; i < sizeof(Unsigned); ++i)
-    bytes += static_cast<char>(static_cast<unsigned char>(bits >> (8 * i)));
-}
-
-inline void append_little_endian(double value, std::string& bytes)
-{
-  std::uint64_t bits;
-  static_assert(sizeof(bits) == sizeof(value), "a double has 64 bits");
-  std::memcpy(&bits, &value, sizeof(bits));
-  append_little_endian(bits, bytes);
-}
 
 inline void write_ply_header(std::ostream& out, const Sampled_wireframe& sampled, std::size_t number_of_edges,
                              bool is_binary)

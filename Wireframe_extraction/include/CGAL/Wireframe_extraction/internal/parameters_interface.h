@@ -20,6 +20,7 @@ CGAL_add_named_parameter(number_of_skipped_t, number_of_skipped, number_of_skipp
 CGAL_add_named_parameter(sampling_step_t, sampling_step, sampling_step)
 CGAL_add_named_parameter(unit_t, unit, unit)
 CGAL_add_named_parameter(step_schema_t, step_schema, step_schema)
+CGAL_add_named_parameter(obj_splines_t, obj_splines, obj_splines)
 CGAL_add_named_parameter(noise_level_t, noise_level, noise_level)
 CGAL_add_named_parameter(skeleton_distance_t, skeleton_distance, skeleton_distance)
 CGAL_add_named_parameter(support_distance_t, support_distance, support_distance)

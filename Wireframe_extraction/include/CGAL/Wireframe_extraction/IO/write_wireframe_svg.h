@@ -1,0 +1,348 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_SVG_H
+#define CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_SVG_H
+
+#include <CGAL/Wireframe_extraction/IO/internal/Sampled_wireframe.h>
+#include <CGAL/Wireframe_extraction/IO/internal/curve_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/text_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/unit_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe_tools.h>
+#include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/parameters.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <ostream>
+#include <set>
+#include <string>
+
+namespace CGAL {
+namespace IO {
+namespace internal {
+
+// A direction of view, given by the directions to the right and upwards on the page.
+struct Svg_view
+{
+  const char* id;
+  const char* title;
+  Spline_vector right, up;
+  double width, height;   // of what is seen
+  double left, top;       // on the page, in pixels
+};
+
+// The four views of a drawing, all at one scale.
+class Svg_drawing
+{
+public:
+  explicit Svg_drawing(const Sampled_wireframe& sampled) : sampled_(sampled)
+  {
+    const double a = std::sqrt(1. / 2.), b = std::sqrt(1. / 6.);
+    views_ = { { { "top", "Top (x, y)", { 1., 0., 0. }, { 0., 1., 0. }, 0., 0., 0., 0. },
+                 { "isometric", "Isometric", { a, a, 0. }, { -b, b, 2. * b }, 0., 0., 0., 0. },
+                 { "front", "Front (x, z)", { 1., 0., 0. }, { 0., 0., 1. }, 0., 0., 0., 0. },
+                 { "right", "Right (y, z)", { 0., 1., 0. }, { 0., 0., 1. }, 0., 0., 0., 0. } } };
+    find_extent();
+    arrange();
+  }
+
+  bool is_finite() const { return std::isfinite(scale_) && std::isfinite(width_) && std::isfinite(height_); }
+
+  template <class GeomTraits>
+  void write(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, const char* unit) const
+  {
+    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\""
+        << pixels(width_) << "\" height=\"" << pixels(height_) << "\" viewBox=\"0 0 " << pixels(width_) << " "
+        << pixels(height_) << "\" font-family=\"sans-serif\" font-size=\"14\">\n<title>Wireframe: top, front, right "
+           "and isometric view</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
+    for(const Svg_view& view : views_)
+      write_view(out, wireframe, view);
+    write_legend(out, wireframe);
+    out << "<text x=\"" << pixels(margin) << "\" y=\"" << pixels(height_ - margin) << "\">Size " << size_text(0)
+        << " x " << size_text(1) << " x " << size_text(2) << " " << unit << ", third-angle projection</text>\n</svg>\n";
+  }
+
+private:
+  static constexpr double margin = 24., title_height = 30.;
+
+  void find_extent()
+  {
+    if(!sampled_.points.empty())
+      low_ = high_ = sampled_.points.front();
+    for(const Coordinates& point : sampled_.points)
+      for(std::size_t i = 0; i < 3; ++i)
+      {
+        low_[i] = (std::min)(low_[i], point[i]);
+        high_[i] = (std::max)(high_[i], point[i]);
+      }
+    for(Svg_view& view : views_)
+      for(const Coordinates& point : sampled_.points)
+      {
+        view.width = (std::max)(view.width, 2. * std::abs(dot(from_center(point), view.right)));
+        view.height = (std::max)(view.height, 2. * std::abs(dot(from_center(point), view.up)));
+      }
+  }
+
+  Spline_vector from_center(const Coordinates& point) const
+  {
+    std::array<double, 3> p;
+    for(std::size_t i = 0; i < 3; ++i)
+      p[i] = point[i] - (0.5 * low_[i] + 0.5 * high_[i]);
+    return Spline_vector{ p[0], p[1], p[2] };
+  }
+
+  // The top view is above the front view, and the right one on its right.
+  void arrange()
+  {
+    const Svg_view &top = views_[0], &isometric = views_[1], &front = views_[2], &right = views_[3];
+    const std::array<double, 2> columns = { { (std::max)(top.width, front.width),
+                                              (std::max)(isometric.width, right.width) } };
+    const std::array<double, 2> rows = { { (std::max)(top.height, isometric.height),
+                                           (std::max)(front.height, right.height) } };
+    const double size = (std::max)(columns[0] + columns[1], rows[0] + rows[1]);
+    scale_ = size > 0. ? 900. / size : 1.;
+    for(std::size_t i = 0; i < 4; ++i)
+    {
+      Svg_view& view = views_[i];
+      const bool is_right = (i % 2 == 1), is_below = (i / 2 == 1);
+      // what is higher or wider than another view of its row or column has the same middle
+      view.left = margin + (is_right ? scale_ * columns[0] + 2. * margin : 0.)
+                  + 0.5 * scale_ * (columns[is_right] - view.width);
+      view.top = title_height + (is_below ? scale_ * rows[0] + margin + title_height : 0.)
+                 + 0.5 * scale_ * (rows[is_below] - view.height);
+    }
+    row_tops_ = { { title_height, scale_ * rows[0] + margin + 2. * title_height } };
+    column_lefts_ = { { margin, scale_ * columns[0] + 3. * margin } };
+    legend_top_ = row_tops_[1] + scale_ * rows[1] + margin;
+    // the lines of text below need some room, too
+    width_ = (std::max)(scale_ * (columns[0] + columns[1]) + 4. * margin, 560.);
+    height_ = legend_top_ + 3. * margin;
+  }
+
+  template <class GeomTraits>
+  void write_view(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, const Svg_view& view) const
+  {
+    const std::size_t i = static_cast<std::size_t>(&view - &views_[0]);
+    out << "<g id=\"" << view.id << "\" fill=\"none\" stroke-width=\"1.5\" stroke-linejoin=\"round\">\n<text x=\""
+        << pixels(column_lefts_[i % 2]) << "\" y=\"" << pixels(row_tops_[i / 2] - 10.)
+        << "\" fill=\"black\">" << view.title << "</text>\n";
+    for(std::size_t j = 0; j < sampled_.polylines.size(); ++j)
+    {
+      const Wireframe_curve_type type = wireframe.curves[j].type;
+      out << "<polyline class=\"" << name_of(type) << "\" stroke=\"" << hexadecimal(colour_of(type)) << "\" points=\"";
+      for(const std::size_t index : sampled_.polylines[j])
+        out << pixels(page_x(view, index)) << "," << pixels(page_y(view, index)) << " ";
+      out << "\"><title>curve " << std::to_string(j) << ": " << name_of(type) << "</title></polyline>\n";
+    }
+    for(std::size_t j = 0; j < wireframe.vertices.size(); ++j)
+      out << "<circle class=\"vertex\" fill=\"black\" r=\"2\" cx=\"" << pixels(page_x(view, j)) << "\" cy=\""
+          << pixels(page_y(view, j)) << "\"/>\n";
+    out << "</g>\n";
+  }
+
+  double page_x(const Svg_view& view, std::size_t index) const
+  {
+    return view.left + scale_ * (0.5 * view.width + dot(from_center(sampled_.points[index]), view.right));
+  }
+
+  double page_y(const Svg_view& view, std::size_t index) const
+  {
+    return view.top + scale_ * (0.5 * view.height - dot(from_center(sampled_.points[index]), view.up));
+  }
+
+  // the kinds of curves that are there
+  template <class GeomTraits>
+  void write_legend(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe) const
+  {
+    std::set<Wireframe_curve_type> types;
+    for(const auto& curve : wireframe.curves)
+      types.insert(curve.type);
+    double left = margin;
+    out << "<g id=\"legend\">\n";
+    for(const Wireframe_curve_type type : types)
+    {
+      out << "<text x=\"" << pixels(left) << "\" y=\"" << pixels(legend_top_ + 14.) << "\" fill=\""
+          << hexadecimal(colour_of(type)) << "\">" << name_of(type) << "</text>\n";
+      left += 90.;
+    }
+    out << "</g>\n";
+  }
+
+  // a length in the unit of the wireframe, short
+  std::string size_text(std::size_t axis) const
+  {
+    const double size = high_[axis] - low_[axis];
+    if(!(size > 0.))
+      return "0";
+    const double digits = std::pow(10., 3. - std::floor(std::log10(size)));
+    return std::isfinite(digits) && digits > 0. ? number_to_string(std::round(size * digits) / digits)
+                                                : number_to_string(size);
+  }
+
+  static std::string pixels(double value) { return number_to_string(std::round(1000. * value) / 1000.); }
+
+  static std::string hexadecimal(const Colour& colour)
+  {
+    std::string text = "#";
+    for(const int channel : { colour.red, colour.green, colour.blue })
+      text += std::string(1, "0123456789abcdef"[channel / 16]) + "0123456789abcdef"[channel % 16];
+    return text;
+  }
+
+  const Sampled_wireframe& sampled_;
+  std::array<Svg_view, 4> views_;
+  Coordinates low_ = { { 0., 0., 0. } }, high_ = { { 0., 0., 0. } };
+  std::array<double, 2> row_tops_, column_lefts_;
+  double scale_ = 1., legend_top_ = 0., width_ = 0., height_ = 0.;
+};
+
+template <class GeomTraits, class NamedParameters>
+bool write_svg(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, const NamedParameters& np,
+               std::string& error)
+{
+  Sampled_wireframe sampled;
+  if(!sample_wireframe(wireframe, np, sampled, error))
+    return false;
+  const Svg_drawing drawing(sampled);
+  if(!drawing.is_finite())
+  {
+    error = "the wireframe is too large or too small to be drawn; scale it";
+    return false;
+  }
+  drawing.write(out, wireframe, symbol_of(get_length_unit(np)));
+  return true;
+}
+
+} // namespace internal
+
+/// \ingroup PkgWireframeExtractionIO
+/// writes a wireframe into a stream as a drawing in the SVG format.
+///
+/// There are four views, all at one scale and arranged in third-angle projection: the front view (`x` to the
+/// right, `z` upwards), above it the top view (`x`, `y`), on its right the view from the right (`y`, `z`),
+/// and in the corner between these an isometric view, from the front, the right, and above. Each is a group
+/// (`g`) with the `id` "front", "top", "right" or "isometric", that has a title, a `polyline` per curve, with
+/// the type of the curve as its `class` and its index and type as a tooltip, and a `circle` per vertex. Each
+/// kind of curve has a colour. All curves are drawn, whatever is before them. Below is the size of the
+/// wireframe.
+///
+/// A drawing shows the wireframe, but holds neither its curves nor its scale: it is fitted to a page of about
+/// 1000 pixels.
+///
+/// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
+/// \tparam NamedParameters a sequence of named parameters
+///
+/// \param stream the stream
+/// \param wireframe the wireframe
+/// \param np an optional sequence of named parameters among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{sampling_step}
+///     \cgalParamDescription{the largest arc length between two neighbouring points of a curve}
+///     \cgalParamType{`GeomTraits::FT`}
+///     \cgalParamDefault{0.25 times the sampling distance of the wireframe; one hundredth of the longest
+///                       curve if that is 0}
+///     \cgalParamExtra{in the unit of the wireframe; has to be positive. A curve is split evenly into as few
+///                     pieces as that allows, a closed one into three at least.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{unit}
+///     \cgalParamDescription{what one unit of the coordinates is; its symbol is written beside the size}
+///     \cgalParamType{`Wireframe_extraction::Length_unit`}
+///     \cgalParamDefault{`Length_unit::MILLIMETER`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{error_message}
+///     \cgalParamDescription{receives what went wrong; empty on success}
+///     \cgalParamType{`std::string*`}
+///     \cgalParamDefault{a null pointer: nothing is received}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of the traits class of the wireframe}
+///     \cgalParamType{`GeomTraits`}
+///     \cgalParamDefault{a default constructed object}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return `true` if all was written, else `false`: the wireframe has a number that is not finite, or is
+///   malformed in another way, or the stream cannot be written.
+///
+/// Takes time and memory linear in the number of points.
+template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool write_wireframe_svg(std::ostream& stream, const CGAL::Wireframe<GeomTraits>& wireframe,
+                         const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  return internal::write_to_stream(stream, np, [&](std::ostream& out, std::string& error)
+  {
+    return internal::write_svg(out, wireframe, np, error);
+  });
+}
+
+/// \ingroup PkgWireframeExtractionIO
+/// writes a wireframe into a file as a drawing in the SVG format.
+///
+/// The content is that of the overload for a stream.
+/// The file is written as a whole or not at all: on failure a file of this name is as it was before, and
+/// nothing else is left behind.
+///
+/// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
+/// \tparam NamedParameters a sequence of named parameters
+///
+/// \param filename the name of the file
+/// \param wireframe the wireframe
+/// \param np an optional sequence of named parameters among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{sampling_step}
+///     \cgalParamDescription{the largest arc length between two neighbouring points of a curve}
+///     \cgalParamType{`GeomTraits::FT`}
+///     \cgalParamDefault{0.25 times the sampling distance of the wireframe; one hundredth of the longest
+///                       curve if that is 0}
+///     \cgalParamExtra{in the unit of the wireframe; has to be positive. A curve is split evenly into as few
+///                     pieces as that allows, a closed one into three at least.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{unit}
+///     \cgalParamDescription{what one unit of the coordinates is; its symbol is written beside the size}
+///     \cgalParamType{`Wireframe_extraction::Length_unit`}
+///     \cgalParamDefault{`Length_unit::MILLIMETER`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{error_message}
+///     \cgalParamDescription{receives what went wrong; empty on success}
+///     \cgalParamType{`std::string*`}
+///     \cgalParamDefault{a null pointer: nothing is received}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of the traits class of the wireframe}
+///     \cgalParamType{`GeomTraits`}
+///     \cgalParamDefault{a default constructed object}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return `true` if all was written, else `false`: the wireframe has a number that is not finite, or is
+///   malformed in another way, or the file cannot be written.
+///
+/// Takes time and memory linear in the number of points.
+template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool write_wireframe_svg(const std::string& filename, const CGAL::Wireframe<GeomTraits>& wireframe,
+                         const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error)
+  {
+    return internal::write_svg(out, wireframe, np, error);
+  });
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_SVG_H
