@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -39,42 +40,40 @@ struct Curve_piece
 // parameters as there are times the logarithm of the number of observations (Schwarz 1978).
 class Curve_cutter
 {
-  static constexpr std::size_t most_nodes = 40;     // places for cuts that are tried at first
+  static constexpr std::size_t reach = 2;   // how far around the ends of pieces cuts are tried, in stations
   static constexpr double most_turn = 15. * CGAL_PI / 180., most_gap = 0.5;   // from one piece to the next
+  static constexpr double most_miss = 1.;   // how far from its vertex a curve may pass before vertices move
   static constexpr double least_spline_parameters = 3.;   // of one that goes on smoothly at both ends
 
   const std::vector<Station>& m_stations;
   const std::vector<double>& m_spline_parameters;   // of the spline, at each station
+  const std::array<Vector, 2> m_ends;
   const bool m_is_closed;
   const double m_significance, m_log_size;
 
 public:
-  Curve_cutter(const std::vector<Station>& stations, const std::vector<double>& spline_parameters, bool is_closed,
-               double significance)
-    : m_stations(stations), m_spline_parameters(spline_parameters), m_is_closed(is_closed),
+  // `ends` are those of the curve, which count unless it is closed and free of vertices
+  Curve_cutter(const std::vector<Station>& stations, const std::vector<double>& spline_parameters,
+               const std::array<Vector, 2>& ends, bool is_closed, double significance)
+    : m_stations(stations), m_spline_parameters(spline_parameters), m_ends(ends), m_is_closed(is_closed),
       m_significance(significance), m_log_size(std::log(2. * double(stations.size())))
   {}
 
   std::vector<Curve_piece> run() const
   {
     const std::size_t n = m_stations.size();
-    for (const Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE, Primitive_kind::ELLIPSE})
-      if (!(m_is_closed && kind == Primitive_kind::LINE)) {
-        const Curve_piece whole = try_piece(kind, 0, n);
-        if (whole.fit)
-          return {whole};
-      }
+    const Curve_piece whole = first_that_fits({Primitive_kind::LINE, Primitive_kind::CIRCLE, Primitive_kind::ELLIPSE}, 0, n);
+    if (whole.fit)
+      return {whole};
     std::vector<Curve_piece> pieces = cut(0);
     // a closed curve has no natural start: the end of its largest piece is one
     if (m_is_closed && pieces.size() > 1) {
       const auto largest = std::max_element(pieces.begin(), pieces.end(), [](const Curve_piece& a, const Curve_piece& b) {
         return a.size < b.size;
       });
-      pieces = cut((largest->first + largest->size) % n);
-      part_where_it_closes(pieces);
+      pieces = cut_closed((largest->first + largest->size) % n);
     }
-    shift_cuts(pieces);
-    join_to_ellipses(pieces);
+    join_arcs(pieces);
     join_chains_of_arcs(pieces);
     return pieces;
   }
@@ -107,9 +106,23 @@ private:
       return piece;
     const auto fit = std::make_shared<Primitive_fit>(kind, range(first, size));
     if (fit->is_valid && fit->misfit.probability(fit->curve.number_of_parameters()) >= m_significance
-        && runs_forward(fit->curve, first, size))
+        && runs_forward(fit->curve, first, size) && reaches_ends(fit->curve, first, size))
       piece.fit = fit;
     return piece;
+  }
+
+  // Outliers in the middle are errors of the field, but where the stations leave the curve at its end for good, it has
+  // ended before.
+  bool reaches_ends(const Primitive_curve& curve, std::size_t first, std::size_t size) const
+  {
+    const std::size_t n = m_stations.size();
+    if (m_is_closed && size == n)
+      return true;
+    const auto leaves = [&](std::size_t i) { return !(Primitive_fit::square(curve, m_stations[i % n]) < Misfit::cap); };
+    const auto misses = [&](const Vector& p) { return !((curve.foot(p) - p).norm() < most_miss); };
+    const bool starts_at_vertex = !m_is_closed && first == 0, ends_at_vertex = !m_is_closed && first + size == n;
+    return !(starts_at_vertex ? misses(m_ends[0]) : leaves(first))
+      && !(ends_at_vertex ? misses(m_ends[1]) : leaves(first + size - 1));
   }
 
   // whether the stations follow the curve without turning back, and go round it once at most
@@ -123,9 +136,8 @@ private:
         step = std::remainder(step, 2. * CGAL_PI);
       (step > 0. ? forward : backward) += std::abs(step);
     }
-    const double total = (std::max)(forward, backward);
-    return (std::min)(forward, backward) < 0.1 * total
-      && (curve.kind == Primitive_kind::LINE || total < 2. * CGAL_PI + 1e-6);
+    return (std::min)(forward, backward) < 0.1 * (std::max)(forward, backward)
+      && (curve.kind == Primitive_kind::LINE || std::abs(forward - backward) < 2. * CGAL_PI);
   }
 
   double cost(const Curve_piece& piece) const
@@ -192,13 +204,61 @@ private:
     }
   }
 
+  // How many stations one line or circle explains, from station `from` of those after `start` on: forward up to `end`, or
+  // backward down to 0. Found by doubling and bisection.
+  std::size_t largest_window(std::size_t start, std::size_t from, std::size_t end, bool is_forward) const
+  {
+    const std::size_t available = is_forward ? end - from : from;
+    const auto is_explained = [&](Primitive_kind kind, std::size_t size) {
+      const std::size_t first = is_forward ? from : from - size;
+      return bool(try_piece(kind, (start + first) % m_stations.size(), size).fit);
+    };
+    std::size_t largest = 0;
+    for (const Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE}) {
+      std::size_t good = (std::max)(largest, least_size(kind)), bad = good;
+      if (good > available || !is_explained(kind, good))
+        continue;
+      while (bad == good && good < available) {
+        const std::size_t next = (std::min)(2 * good, available);
+        if (is_explained(kind, next))
+          good = bad = next;
+        else
+          bad = next;
+      }
+      while (bad > good + 1) {
+        const std::size_t middle = (good + bad) / 2;
+        (is_explained(kind, middle) ? good : bad) = middle;
+      }
+      largest = (std::max)(largest, good);
+    }
+    return largest;
+  }
+
+  // Where lines and circles that start as early as possible, or as late as possible, end; and the stations around.
+  std::vector<std::size_t> places_for_cuts(std::size_t start) const
+  {
+    const std::size_t n = m_stations.size();
+    std::vector<std::size_t> ends;
+    for (std::size_t i = 0; i < n;) {
+      i += (std::max)(std::size_t(2), largest_window(start, i, n, true));
+      ends.push_back(i);
+    }
+    for (std::size_t i = n; i > 0;) {
+      i -= (std::min)(i, (std::max)(std::size_t(2), largest_window(start, i, n, false)));
+      ends.push_back(i);
+    }
+    std::vector<std::size_t> places{0, n};
+    for (const std::size_t end : ends)
+      for (std::size_t i = end > reach ? end - reach : 0; i <= (std::min)(n, end + reach); ++i)
+        places.push_back(i);
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    return places;
+  }
+
   std::vector<Curve_piece> cut(std::size_t start) const
   {
-    const std::size_t n = m_stations.size(), step = (n + most_nodes - 1) / most_nodes;
-    std::vector<std::size_t> nodes;
-    for (std::size_t i = 0; i < n; i += step)
-      nodes.push_back(i);
-    nodes.push_back(n);
+    const std::vector<std::size_t> nodes = places_for_cuts(start);
     std::vector<std::vector<Path> > paths(nodes.size());
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
       std::array<int, 2> failures{{0, 0}};
@@ -240,13 +300,34 @@ private:
     return least < (std::numeric_limits<double>::max)();
   }
 
-  // the last piece of a closed curve has to go on in the first one
+  // from the best start around the given one, such that the last piece goes on in the first one
+  std::vector<Curve_piece> cut_closed(std::size_t start) const
+  {
+    const std::size_t n = m_stations.size();
+    std::vector<Curve_piece> best;
+    double least = (std::numeric_limits<double>::max)();
+    for (std::size_t shift = 0; shift <= 2 * reach && shift < n; ++shift) {
+      const std::vector<Curve_piece> pieces = cut((start + n + shift - (std::min)(reach, n)) % n);
+      double total = 0.;
+      for (const Curve_piece& piece : pieces)
+        total += cost(piece);
+      if (total < least && can_follow(pieces.back(), pieces.front())) {
+        least = total;
+        best = pieces;
+      }
+    }
+    if (best.empty()) {
+      best = cut(start);
+      part_where_it_closes(best);
+    }
+    return best;
+  }
+
+  // puts a spline where the curve closes
   void part_where_it_closes(std::vector<Curve_piece>& pieces) const
   {
-    if (pieces.size() < 2 || can_follow(pieces.back(), pieces.front()))
-      return;
-    Curve_piece &last = pieces.back(), &first = pieces.front();
     const std::size_t n = m_stations.size();
+    Curve_piece &last = pieces.back(), &first = pieces.front();
     if (last.size < 2 || first.size < 2)
       return;
     Curve_piece spline;
@@ -255,31 +336,6 @@ private:
     last = same_kind(last, last.first, last.size - 1);
     first = same_kind(first, (first.first + 1) % n, first.size - 1);
     pieces.push_back(spline);
-  }
-
-  // moves each cut to the best place between those that were tried
-  void shift_cuts(std::vector<Curve_piece>& pieces) const
-  {
-    const long reach = long((m_stations.size() + most_nodes - 1) / most_nodes);
-    for (std::size_t k = 1; k < pieces.size(); ++k) {
-      const Curve_piece before = pieces[k - 1], after = pieces[k];
-      double least = cost(before) + cost(after);
-      for (long shift = -reach; shift <= reach; ++shift) {
-        const long first_size = long(before.size) + shift, second_size = long(after.size) - shift;
-        if (shift == 0 || first_size < 1 || second_size < 1)
-          continue;
-        const Curve_piece first = same_kind(before, before.first, std::size_t(first_size));
-        const Curve_piece second = same_kind(after, (before.first + std::size_t(first_size)) % m_stations.size(),
-                                             std::size_t(second_size));
-        if (bool(first.fit) == bool(before.fit) && bool(second.fit) == bool(after.fit)
-            && cost(first) + cost(second) < least && can_follow(first, second)
-            && (k < 2 || can_follow(pieces[k - 2], first)) && (k + 1 == pieces.size() || can_follow(second, pieces[k + 1]))) {
-          least = cost(first) + cost(second);
-          pieces[k - 1] = first;
-          pieces[k] = second;
-        }
-      }
-    }
   }
 
   Curve_piece same_kind(const Curve_piece& piece, std::size_t first, std::size_t size) const
@@ -292,29 +348,35 @@ private:
     return result;
   }
 
-  // Enough arcs approximate any smooth curve: three and more in a row are no evidence of arcs.
+  // Enough arcs approximate any smooth curve: three in a row, two and a spline, or less of arcs than of splines, are no
+  // evidence of arcs.
   void join_chains_of_arcs(std::vector<Curve_piece>& pieces) const
   {
     std::vector<Curve_piece> result;
     for (std::size_t k = 0; k < pieces.size();) {
-      std::size_t end = k, arcs = 0;
+      if (pieces[k].is_line()) {
+        result.push_back(pieces[k++]);
+        continue;
+      }
+      std::size_t end = k, arcs = 0, on_arcs = 0;
       Curve_piece joined;
       joined.first = pieces[k].first;
       for (; end < pieces.size() && !pieces[end].is_line(); ++end) {
         joined.size += pieces[end].size;
         arcs += bool(pieces[end].fit);
+        on_arcs += pieces[end].fit ? pieces[end].size : 0;
       }
-      if (arcs >= 3)
+      if ((end >= k + 3 && arcs >= 2) || 2 * on_arcs < joined.size)
         result.push_back(joined);
       else
-        result.insert(result.end(), pieces.begin() + k, pieces.begin() + (std::max)(end, k + 1));
-      k = (std::max)(end, k + 1);
+        result.insert(result.end(), pieces.begin() + long(k), pieces.begin() + long(end));
+      k = end;
     }
     pieces = result;
   }
 
-  // arcs of circles side by side, and splines, may be one arc of an ellipse
-  void join_to_ellipses(std::vector<Curve_piece>& pieces) const
+  // arcs of circles and splines side by side may be one arc, of a circle or an ellipse
+  void join_arcs(std::vector<Curve_piece>& pieces) const
   {
     std::vector<Curve_piece> result;
     for (std::size_t k = 0; k < pieces.size();) {
@@ -324,15 +386,27 @@ private:
         size += pieces[end].size;
         total += cost(pieces[end]);
       }
-      const bool is_candidate = end > k + 1 || (end == k + 1 && !pieces[k].fit);
-      const Curve_piece ellipse = is_candidate ? try_piece(Primitive_kind::ELLIPSE, pieces[k].first, size) : Curve_piece();
-      if (ellipse.fit && cost(ellipse) < total)
-        result.push_back(ellipse);
+      Curve_piece joined;
+      if (end > k + 1 || (end == k + 1 && !pieces[k].fit))
+        joined = first_that_fits({Primitive_kind::CIRCLE, Primitive_kind::ELLIPSE}, pieces[k].first, size);
+      end = (std::max)(end, k + 1);
+      if (joined.fit && cost(joined) < total && (result.empty() || can_follow(result.back(), joined))
+          && (end == pieces.size() || can_follow(joined, pieces[end])))
+        result.push_back(joined);
       else
-        result.insert(result.end(), pieces.begin() + k, pieces.begin() + (std::max)(end, k + 1));
-      k = (std::max)(end, k + 1);
+        result.insert(result.end(), pieces.begin() + long(k), pieces.begin() + long(end));
+      k = end;
     }
     pieces = result;
+  }
+
+  Curve_piece first_that_fits(std::initializer_list<Primitive_kind> kinds, std::size_t first, std::size_t size) const
+  {
+    Curve_piece piece;
+    for (const Primitive_kind kind : kinds)
+      if (!piece.fit && !(kind == Primitive_kind::LINE && m_is_closed && size == m_stations.size()))
+        piece = try_piece(kind, first, size);
+    return piece;
   }
 };
 

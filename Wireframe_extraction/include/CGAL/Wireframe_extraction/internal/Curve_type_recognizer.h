@@ -63,6 +63,9 @@ class Curve_type_recognizer
 {
   // a cut does not become a tangent join where the pieces meet at a larger angle
   static constexpr double most_tangent_angle = 15. * CGAL_PI / 180.;
+  static constexpr double most_kink = 8. * CGAL_PI / 180.;   // and none is left where they do not become tangent
+  // the tangent of a spline may change by that much from the cut to its first station
+  static constexpr double most_spline_turn = 60. * CGAL_PI / 180.;
 
   struct Candidate
   {
@@ -70,6 +73,7 @@ class Curve_type_recognizer
     std::vector<Curve_piece> pieces;
     std::vector<std::size_t> vertices;      // before each piece, and after the last
     std::vector<char> is_tangent;           // whether the join before each piece may be tangent
+    bool is_closed = false;                 // and free of vertices, but for cuts
   };
 
   const Field_band& m_band;
@@ -114,7 +118,8 @@ private:
     // no spline can use more parameters than there are observations
     const double density = (std::min)(1., curve.number_of_parameters / double(result.stations.size()));
     const std::vector<double> parameters(result.stations.size(), density);
-    result.pieces = Curve_cutter(result.stations, parameters, curve.is_closed_without_vertex(), m_significance).run();
+    result.pieces = Curve_cutter(result.stations, parameters, {{curve.polyline.front(), curve.polyline.back()}},
+                                 curve.is_closed_without_vertex(), m_significance).run();
     if (curve.is_loop() && result.pieces.size() == 1 && result.pieces[0].is_line())
       result.pieces[0].fit.reset();
     merge_splines(result);
@@ -124,6 +129,7 @@ private:
     result.vertices.push_back(curve.vertices[1]);
     if (curve.is_closed_without_vertex() && result.pieces.size() > 1)
       result.vertices.front() = result.vertices.back() = add_vertex(place_of_cut(result, 0));
+    result.is_closed = curve.is_closed_without_vertex();
     result.is_tangent.assign(result.pieces.size(), 1);
     result.is_tangent[0] = curve.is_closed_without_vertex() && result.pieces.size() > 1;
     return result;
@@ -270,10 +276,41 @@ private:
       else
         candidate.pieces[i].fit.reset();
     }
+    is_changed = is_changed || take_back_kinks(network, places);
     if (is_changed)
       for (std::size_t c = 0; c < m_candidates.size(); ++c)
         drop_cuts_between_splines(c);
     return is_changed;
+  }
+
+  // Of two pieces that are no longer tangent where a smooth curve was cut, the shorter one is no primitive.
+  bool take_back_kinks(Primitive_network_fit& network, const std::vector<Edge_of_piece>& places)
+  {
+    bool is_changed = false;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      Candidate& candidate = m_candidates[places[k].curve];
+      std::vector<Curve_piece>& pieces = candidate.pieces;
+      const std::size_t i = places[k].piece, n = pieces.size(), before = (i + n - 1) % n;
+      if (!is_cut(candidate, i) || !pieces[i].fit || !pieces[before].fit)
+        continue;
+      const std::size_t previous = i > 0 ? k - 1 : k + n - 1;   // the pieces of a curve that are edges follow each other
+      if (previous >= places.size() || places[previous].curve != places[k].curve || places[previous].piece != before)
+        continue;
+      const Vector& place = network.vertices[candidate.vertices[i]];
+      const double sine = network.edges[k].curve(network.vertices).tangent(place)
+        .cross(network.edges[previous].curve(network.vertices).tangent(place)).norm();
+      if (sine > std::sin(most_kink)) {
+        pieces[pieces[i].size < pieces[before].size ? i : before].fit.reset();
+        is_changed = true;
+      }
+    }
+    return is_changed;
+  }
+
+  // whether the curve was cut before this piece, or the piece starts where the curve does
+  bool is_cut(const Candidate& candidate, std::size_t i) const
+  {
+    return i > 0 || (candidate.pieces.size() > 1 && candidate.is_closed);
   }
 
   void drop_cuts_between_splines(std::size_t c)
@@ -379,16 +416,14 @@ private:
     const Station_range stations = range(candidate, candidate.pieces[i]);
     for (const bool is_end : {false, true}) {
       const std::size_t neighbor = is_end ? (i + 1) % n : (i + n - 1) % n;
-      const bool is_cut = is_end ? i + 1 < n || candidate.vertices.front() == candidate.vertices.back()
-                                 : i > 0 || candidate.vertices.front() == candidate.vertices.back();
-      if (!is_cut || !candidate.pieces[neighbor].fit || !candidate.is_tangent[is_end ? neighbor : i])
+      if (!is_cut(candidate, is_end ? neighbor : i) || !candidate.pieces[neighbor].fit)
         continue;
       const Vector& place = network.vertices[candidate.vertices[is_end ? i + 1 : i]];
       Vector tangent = network.edges[edges[neighbor]].curve(network.vertices).tangent(place);
       const Vector& along = (is_end ? stations[stations.size() - 1] : stations[0]).tangent;
       if (tangent.dot(along) < 0.)
         tangent = -tangent;
-      if (tangent.dot(along) > std::cos(2. * most_tangent_angle))
+      if (tangent.dot(along) > std::cos(most_spline_turn))
         piece.end_tangents[is_end ? 1 : 0] = tangent;
     }
   }

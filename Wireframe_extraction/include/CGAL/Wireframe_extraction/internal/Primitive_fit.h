@@ -48,12 +48,11 @@ public:
 // How well a curve explains stations. Squares of residuals are in units of the variance of a station.
 class Misfit
 {
-  static constexpr double cap = 16.;    // what is farther off than four standard deviations is an outlier
-
   double m_capped = 0., m_robust = 0.;
   std::size_t m_size = 0;
 
 public:
+  static constexpr double cap = 16.;    // what is farther off than four standard deviations is an outlier
   // Neighboring stations share errors of the field: about half as many are independent.
   static constexpr double share_of_independent = 0.5;
 
@@ -84,6 +83,8 @@ class Primitive_fit
 {
   typedef Eigen::Matrix<double, Primitive_curve::most_parameters, 1> Parameters;
 
+  static constexpr double least_radius = 0.5 * Curve_stations::spacing;
+
 public:
   typedef Eigen::Matrix<double, Primitive_curve::most_parameters, Primitive_curve::most_parameters> Covariance;
 
@@ -98,7 +99,7 @@ public:
     if (2 * stations.size() <= std::size_t(curve.number_of_parameters()) || !initialize(stations))
       return;
     minimize(stations);
-    is_valid = curve.is_finite() && (kind == Primitive_kind::LINE || curve.minor_radius > 1e-3);
+    is_valid = curve.is_finite() && is_resolved();
   }
 
   static double square(const Primitive_curve& curve, const Station& station)
@@ -116,6 +117,13 @@ public:
   }
 
 private:
+  // whether the curve bends so little that stations can show it
+  bool is_resolved() const
+  {
+    return curve.kind == Primitive_kind::LINE
+      || curve.minor_radius * curve.minor_radius > least_radius * curve.major_radius;
+  }
+
   bool initialize(const Station_range& stations)
   {
     Vector mean = Vector::Zero();

@@ -144,9 +144,9 @@ public:
     const std::vector<Vector> anchors = vertices;
     const std::vector<Constraint> constraints = make_constraints();
     std::vector<Vector> multipliers(constraints.size(), Vector::Zero());
-    double weight = 1e2;
+    double weight = 1e4;
     solve(anchors, constraints, multipliers, 0.);
-    for (int round = 0; round < (constraints.empty() ? 0 : most_rounds); ++round, weight = (std::min)(1e7, 10. * weight)) {
+    for (int round = 0; round < (constraints.empty() ? 0 : most_rounds); ++round, weight = (std::min)(1e8, 10. * weight)) {
       solve(anchors, constraints, multipliers, weight);
       double worst = 0.;
       for (std::size_t i = 0; i < constraints.size(); ++i) {
@@ -277,7 +277,7 @@ private:
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
     options.max_num_iterations = 20;
-    options.function_tolerance = 1e-9;
+    options.function_tolerance = 1e-12;
     // damping that is the same in all directions: the axes must not matter
     options.jacobi_scaling = false;
     options.min_lm_diagonal = options.max_lm_diagonal = 1.;

@@ -1,0 +1,330 @@
+// Lines, circles and ellipses: their geometry, the fits, the test that takes or refuses them, the cuts, and the common fit.
+
+#include <CGAL/Wireframe_extraction/internal/Curve_cutter.h>
+#include <CGAL/Wireframe_extraction/internal/Curve_type_recognizer.h>
+#include <CGAL/Wireframe_extraction/internal/Primitive_curve.h>
+#include <CGAL/Wireframe_extraction/internal/Primitive_fit.h>
+#include <CGAL/Wireframe_extraction/internal/Primitive_network_fit.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Wireframe_extraction::internal;
+
+const double pi = CGAL_PI;
+
+std::mt19937 generator(7);
+
+double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator); }
+double normal() { return std::normal_distribution<double>()(generator); }
+Vector random_direction() { return Vector(normal(), normal(), normal()).normalized(); }
+
+Primitive_curve random_curve(Primitive_kind kind)
+{
+  Primitive_curve curve;
+  curve.kind = kind;
+  curve.center = Vector(uniform(-20., 20.), uniform(-20., 20.), uniform(-20., 20.));
+  curve.axis = random_direction();
+  curve.major = curve.axis.unitOrthogonal();
+  curve.major_radius = uniform(4., 20.);
+  curve.minor_radius = kind == Primitive_kind::ELLIPSE ? curve.major_radius * uniform(0.5, 0.9) : curve.major_radius;
+  return curve;
+}
+
+Vector at(const Primitive_curve& curve, double parameter)
+{
+  return curve.kind == Primitive_kind::LINE ? Vector(curve.center + parameter * curve.axis) : curve.at(parameter);
+}
+
+// A station where a field with independent errors of this size has the curve.
+Station station(const Vector& place, const Vector& tangent, double deviation)
+{
+  Station result;
+  const Vector error(normal(), normal(), normal());
+  result.followed = place;
+  result.tangent = tangent;
+  result.position = place + deviation * (error - error.dot(tangent) * tangent);
+  result.information = (Eigen::Matrix3d::Identity() - tangent * tangent.transpose()) / (deviation * deviation);
+  result.support = 8;
+  return result;
+}
+
+std::vector<Station> stations_on(const Primitive_curve& curve, double from, double to, std::size_t count, double deviation)
+{
+  std::vector<Station> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector place = at(curve, from + (to - from) * (double(i) + 0.5) / double(count));
+    result.push_back(station(place, (to > from ? 1. : -1.) * curve.tangent(place), deviation));
+  }
+  return result;
+}
+
+// stations every 1.5 along a curve that is given by arc length
+std::vector<Station> stations_along(const std::function<Vector(double)>& position, double length, double deviation)
+{
+  std::vector<Station> result;
+  for (double s = 0.75; s < length; s += 1.5)
+    result.push_back(station(position(s), (position(s + 1e-4) - position(s - 1e-4)).normalized(), deviation));
+  return result;
+}
+
+std::vector<Curve_piece> cut(const std::vector<Station>& stations, bool is_closed = false, double density = 0.7)
+{
+  const std::vector<double> parameters(stations.size(), density);
+  return Curve_cutter(stations, parameters, {{stations.front().position, stations.back().position}}, is_closed, 0.001).run();
+}
+
+void test_feet()
+{
+  for (int round = 0; round < 300; ++round)
+    for (const Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE, Primitive_kind::ELLIPSE}) {
+      const Primitive_curve curve = random_curve(kind);
+      const Vector p = curve.center + uniform(0.1, 30.) * random_direction();
+      const Vector foot = curve.foot(p);
+      assert((curve.foot(foot) - foot).norm() < 1e-9);
+      assert((at(curve, curve.parameter(p)) - foot).norm() < 1e-9);
+      assert(std::abs(curve.tangent(p).dot(p - foot)) < 1e-7 * (1. + (p - foot).norm()));
+      for (int k = 0; k < 100; ++k)
+        assert((p - foot).norm() <= (p - at(curve, kind == Primitive_kind::LINE ? uniform(-30., 30.) : 0.02 * pi * k)).norm()
+                                      + 1e-9);
+    }
+}
+
+void test_through_points()
+{
+  for (int round = 0; round < 300; ++round) {
+    const Primitive_curve circle = random_curve(Primitive_kind::CIRCLE);
+    const double start = uniform(-pi, pi);
+    const Vector a = circle.at(start), b = circle.at(start + uniform(0.5, 1.5)), c = circle.at(start + uniform(2., 5.));
+    const Primitive_curve same = Primitive_curve::circle(a, b, c);
+    assert((same.center - circle.center).norm() < 1e-8 && std::abs(same.major_radius - circle.major_radius) < 1e-8);
+    assert((same.axis - circle.axis).norm() < 1e-8);   // from a through b to c is counterclockwise
+    const Primitive_curve ellipse = random_curve(Primitive_kind::ELLIPSE);
+    const double turn = uniform(-pi, pi);
+    const Primitive_curve twin = Primitive_curve::ellipse(ellipse.center, ellipse.at(turn) - ellipse.center,
+                                                          ellipse.at(turn + 0.5 * pi) - ellipse.center);
+    assert(std::abs(twin.major_radius - ellipse.major_radius) < 1e-8);
+    assert(std::abs(twin.minor_radius - ellipse.minor_radius) < 1e-8);
+    for (int k = 0; k < 20; ++k)
+      assert((twin.foot(ellipse.at(0.3 * k)) - ellipse.at(0.3 * k)).norm() < 1e-7);
+  }
+}
+
+// Fits meet the true parameters, as closely as they claim; and true curves are refused as seldom as was asked for.
+void test_fits()
+{
+  for (const Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE, Primitive_kind::ELLIPSE}) {
+    const int rounds = 1000;
+    int refused = 0;
+    double position = 0., radius = 0.;
+    for (int round = 0; round < rounds; ++round) {
+      const Primitive_curve curve = random_curve(kind);
+      const double deviation = uniform(0.005, 0.2);
+      const double sweep = kind == Primitive_kind::LINE ? uniform(5., 50.) : uniform(pi, 2. * pi);
+      const std::size_t count = std::size_t(kind == Primitive_kind::LINE ? sweep / 1.5 : sweep * curve.minor_radius / 1.5);
+      if (count < 8)
+        continue;
+      const std::vector<Station> stations = stations_on(curve, -0.5 * sweep, 0.5 * sweep, count, deviation);
+      const Primitive_fit fit(kind, Station_range(stations, 0, count));
+      assert(fit.is_valid);
+      refused += fit.misfit.probability(curve.number_of_parameters()) < 0.001;
+      if (kind == Primitive_kind::LINE) {
+        position += (fit.curve.center - curve.foot(fit.curve.center)).squaredNorm()
+          / (fit.covariance(0, 0) + fit.covariance(1, 1));
+        assert(std::abs(fit.curve.axis.dot(curve.axis)) > 1. - 1e-2);
+      } else {
+        position += (fit.curve.center - curve.center).squaredNorm() / fit.covariance.topLeftCorner<3, 3>().trace();
+        const int r = kind == Primitive_kind::CIRCLE ? 5 : 6;
+        radius += std::pow(fit.curve.major_radius - curve.major_radius, 2) / fit.covariance(r, r);
+      }
+    }
+    assert(refused <= 5);
+    // the mean of squared errors in units of their claimed variances
+    assert(position / rounds > 0.5 && position / rounds < 2.);
+    assert(kind == Primitive_kind::LINE || (radius / rounds > 0.5 && radius / rounds < 2.));
+  }
+}
+
+// One plainly wrong station in twenty does not matter, or hardly ever.
+void test_outliers()
+{
+  int found = 0;
+  for (int round = 0; round < 100; ++round) {
+    const Primitive_curve circle = random_curve(Primitive_kind::CIRCLE);
+    std::vector<Station> stations = stations_on(circle, 0., 2. * pi, 40, 0.02);
+    for (int k = 0; k < 2; ++k)
+      stations[std::size_t(uniform(1., 38.))].position += 0.8 * random_direction();
+    const std::vector<Curve_piece> pieces = cut(stations, true);
+    if (pieces.size() == 1 && pieces[0].fit && pieces[0].fit->curve.kind == Primitive_kind::CIRCLE) {
+      ++found;
+      assert(std::abs(pieces[0].fit->curve.major_radius - circle.major_radius) < 0.1);
+    }
+  }
+  assert(found >= 97);
+}
+
+void test_kinds()
+{
+  for (const double deviation : {0.008, 0.05, 0.15})
+    for (int round = 0; round < 50; ++round)
+      for (const Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE, Primitive_kind::ELLIPSE}) {
+        Primitive_curve curve = random_curve(kind);
+        curve.major_radius += 6.;
+        curve.minor_radius = kind == Primitive_kind::ELLIPSE ? 0.6 * curve.major_radius : curve.major_radius;
+        const bool is_closed = kind != Primitive_kind::LINE;
+        const std::vector<Curve_piece> pieces = cut(stations_on(curve, 0., is_closed ? 2. * pi : 40., 40, deviation), is_closed);
+        assert(pieces.size() == 1 && pieces[0].fit && pieces[0].fit->curve.kind == kind);
+      }
+}
+
+// with too little support it is no guess
+void test_support()
+{
+  const Primitive_curve line = random_curve(Primitive_kind::LINE);
+  assert(!cut(stations_on(line, 0., 3., 2, 0.01))[0].fit);
+  assert(cut(stations_on(line, 0., 4.5, 3, 0.01))[0].fit);
+  std::vector<Station> stations = stations_on(line, 0., 30., 20, 0.01);
+  for (std::size_t i = 4; i < 16; ++i)
+    stations[i].support = 0;
+  const std::vector<Curve_piece> pieces = cut(stations);
+  assert(std::none_of(pieces.begin(), pieces.end(), [](const Curve_piece& piece) { return piece.fit && piece.size == 20; }));
+}
+
+// two lines of length 20 and two half circles of radius 6
+Vector on_slot(double s)
+{
+  const double half = 6. * pi, period = 40. + 2. * half;
+  s -= period * std::floor(s / period);
+  const double sign = s < 20. + half ? 1. : -1.;
+  s = sign > 0. ? s : s - 20. - half;
+  const Vector p = s < 20. ? Vector(s - 10., -6., 0.)
+                           : Vector(10. + 6. * std::sin((s - 20.) / 6.), -6. * std::cos((s - 20.) / 6.), 0.);
+  return sign * p;
+}
+
+void test_cuts()
+{
+  for (const double deviation : {0.008, 0.1})
+    for (int round = 0; round < 20; ++round) {
+      const double start = uniform(0., 80.);
+      const std::vector<Curve_piece> slot = cut(stations_along([&](double s) { return on_slot(s + start); },
+                                                               40. + 12. * pi, deviation), true);
+      assert(slot.size() == 4);
+      for (std::size_t i = 0; i < 4; ++i) {
+        assert(slot[i].fit && slot[i].is_line() != slot[(i + 1) % 4].is_line());
+        assert(slot[i].is_line() || std::abs(slot[i].fit->curve.major_radius - 6.) < 0.4);
+      }
+    }
+  // a line that goes on in an arc
+  const auto hook = [](double s) {
+    return s < 20. ? Vector(s, 0., 0.) : Vector(20. + 10. * std::sin(0.1 * (s - 20.)), 10. - 10. * std::cos(0.1 * (s - 20.)), 0.);
+  };
+  const std::vector<Curve_piece> pieces = cut(stations_along(hook, 40., 0.01));
+  assert(pieces.size() == 2 && pieces[0].is_line() && pieces[1].fit && !pieces[1].is_line());
+  assert(std::abs(double(pieces[0].size) - 20. / 1.5) < 2.);
+  // what turns at once is no smooth curve: no vertex there, but a spline between
+  const auto bent = [](double s) { return s < 20. ? Vector(s, 0., 0.) : Vector(20., s - 20., 0.); };
+  const std::vector<Curve_piece> sharp = cut(stations_along(bent, 40., 0.01));
+  for (std::size_t i = 1; i < sharp.size(); ++i)
+    assert(!sharp[i].fit || !sharp[i - 1].fit);
+}
+
+void test_splines_stay()
+{
+  // a helix, a spiral and a wave
+  const std::array<std::function<Vector(double)>, 3> curves = {{
+    [](double s) { return Vector(8. * std::cos(0.1 * s), 8. * std::sin(0.1 * s), 0.6 * s); },
+    [](double s) { const double a = std::sqrt(0.4 * s + 1.); return Vector(5. * a * std::cos(a), 5. * a * std::sin(a), 0.); },
+    [](double s) { return Vector(s, 6. * std::sin(0.15 * s), 4. * std::cos(0.1 * s)); }
+  }};
+  for (const auto& curve : curves)
+    for (int round = 0; round < 10; ++round)
+      for (const Curve_piece& piece : cut(stations_along(curve, 90., 0.01), false, 0.5))
+        assert(!piece.fit);
+}
+
+// The slot once more: its pieces share vertices and tangents.
+void test_common_fit()
+{
+  for (int round = 0; round < 20; ++round) {
+    Primitive_network_fit network;
+    const std::array<Vector, 4> corners = {{Vector(-10., -6., 0.), Vector(10., -6., 0.), Vector(10., 6., 0.), Vector(-10., 6., 0.)}};
+    for (const Vector& corner : corners)
+      network.vertices.push_back(corner + 0.3 * random_direction());
+    const double half = 6. * pi;
+    const std::array<double, 5> breaks = {{0., 20., 20. + half, 40. + half, 40. + 2. * half}};
+    for (std::size_t i = 0; i < 4; ++i) {
+      Primitive_edge edge;
+      edge.kind = i % 2 == 0 ? Primitive_kind::LINE : Primitive_kind::CIRCLE;
+      edge.vertices = {{i, (i + 1) % 4}};
+      edge.stations = stations_along([&](double s) { return on_slot(breaks[i] + s); }, breaks[i + 1] - breaks[i], 0.05);
+      edge.points[0] = edge.stations[edge.stations.size() / 2].position;
+      network.edges.push_back(edge);
+      network.tangencies.push_back({(i + 1) % 4, {{i, (i + 1) % 4}}});
+    }
+    network.run();
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vector& place = network.vertices[(i + 1) % 4];
+      const Primitive_curve one = network.edges[i].curve(network.vertices);
+      const Primitive_curve two = network.edges[(i + 1) % 4].curve(network.vertices);
+      assert((one.foot(place) - place).norm() < 1e-9 && (two.foot(place) - place).norm() < 1e-9);
+      assert(one.tangent(place).cross(two.tangent(place)).norm() < 1e-7);
+      assert((place - corners[(i + 1) % 4]).norm() < 1.);
+      if (i % 2 == 1)
+        assert(std::abs(one.major_radius - 6.) < 0.15);
+    }
+  }
+}
+
+// An elliptic arc between two vertices that lines hold passes through them.
+void test_elliptic_arc()
+{
+  const Primitive_curve ellipse = random_curve(Primitive_kind::ELLIPSE);
+  Primitive_network_fit network;
+  network.vertices = {ellipse.at(0.2) + 0.1 * random_direction(), ellipse.at(2.5) + 0.1 * random_direction(),
+                      ellipse.at(0.2) + 12. * ellipse.axis, ellipse.at(2.5) + 12. * ellipse.axis};
+  Primitive_edge arc;
+  arc.kind = Primitive_kind::ELLIPSE;
+  arc.vertices = {{0, 1}};
+  arc.points = {{ellipse.center, ellipse.at(0.), ellipse.at(0.5 * pi)}};
+  arc.stations = stations_on(ellipse, 0.2, 2.5, 20, 0.02);
+  network.edges.push_back(arc);
+  for (std::size_t i = 0; i < 2; ++i) {
+    Primitive_edge post;
+    post.vertices = {{i, i + 2}};
+    const Primitive_curve line = Primitive_curve::line(ellipse.at(i == 0 ? 0.2 : 2.5), network.vertices[i + 2]);
+    post.stations = stations_on(line, -6., 6., 8, 0.02);
+    network.edges.push_back(post);
+  }
+  network.run();
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Vector& place = network.vertices[i];
+    assert((network.edges[0].curve(network.vertices).foot(place) - place).norm() < 1e-8);
+    assert((place - ellipse.at(i == 0 ? 0.2 : 2.5)).norm() < 0.2);
+  }
+}
+
+} // namespace
+
+int main()
+{
+  test_feet();
+  test_through_points();
+  test_fits();
+  test_outliers();
+  test_kinds();
+  test_support();
+  test_cuts();
+  test_splines_stay();
+  test_common_fit();
+  test_elliptic_arc();
+  return 0;
+}
