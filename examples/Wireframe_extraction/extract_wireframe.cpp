@@ -140,7 +140,7 @@ public:
   void curves_fitted(const Result& wireframe)
   {
     m_stages.write_curves(wireframe);
-    m_progress.start("writing");
+    m_progress.start("recognizing curve types");
   }
 
 private:

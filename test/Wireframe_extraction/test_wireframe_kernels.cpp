@@ -249,6 +249,13 @@ struct Recorder : WE::Default_visitor
     calls.push_back("curves");
     assert(wireframe.curves.size() == number_of_curves);
   }
+
+  template <class Wireframe>
+  void types_recognized(const Wireframe& wireframe)
+  {
+    calls.push_back("types");
+    assert(wireframe.curves.size() >= number_of_curves);
+  }
 };
 
 // only one function is of interest
@@ -260,7 +267,7 @@ struct Graph_counter : WE::Default_visitor
   void graph_built(const Graph& graph) { *vertices += boost::num_vertices(graph); }
 };
 
-const std::vector<std::string> all_calls{"unit", "skeleton", "contraction", "corners", "clusters", "graph", "curves"};
+const std::vector<std::string> all_calls{"unit", "skeleton", "contraction", "corners", "clusters", "graph", "curves", "types"};
 
 void test_visitor()
 {

@@ -54,10 +54,21 @@ Sampled_shape sampled(const std::string& name, Sampling sampling, Field_kind fie
   return shape;
 }
 
-Wireframe extracted(const Sampled_shape& shape)
+// keeps the splines as well
+struct Spline_keeper : CGAL::Wireframe_extraction::Default_visitor
+{
+  Wireframe splines;
+  void curves_fitted(const Wireframe& wireframe) { splines = wireframe; }
+};
+
+struct Result { Wireframe splines, typed; };
+
+Result extracted(const Sampled_shape& shape)
 {
   Report report;
-  const Wireframe wireframe = CGAL::extract_wireframe(shape.cloud, WP::extraction_report(std::ref(report)));
+  Spline_keeper visitor;
+  const Wireframe wireframe = CGAL::extract_wireframe(shape.cloud, WP::extraction_report(std::ref(report))
+                                                                     .visitor(std::ref(visitor)));
   assert(report.status == Report::Status::SUCCESS && report.message.empty());
   assert(report.number_of_points == shape.cloud.size());
   assert(report.number_of_curves == wireframe.curves.size());
@@ -67,7 +78,7 @@ Wireframe extracted(const Sampled_shape& shape)
   assert(report.skeleton_size > 100 && report.number_of_clusters > 0);
   assert(report.root_mean_square > 0. && report.root_mean_square <= report.maximum_deviation);
   assert(!report.seconds.empty());
-  return wireframe;
+  return {visitor.splines, wireframe};
 }
 
 std::vector<Point> samples_of(const Wireframe::Curve& curve, double step)
@@ -144,10 +155,60 @@ bool are_equal(const Wireframe::Curve& curve, const Sample_solids::True_curve& t
     && deviation(truth.points, [&](const Point& p) { return distance_to_points(p, samples); }).largest < 1.;
 }
 
+Sample_solids::Curve_kind kind_of(CGAL::Wireframe_curve_type type)
+{
+  typedef CGAL::Wireframe_curve_type Type;
+  typedef Sample_solids::Curve_kind Kind;
+  return type == Type::LINE ? Kind::LINE : type == Type::CIRCLE || type == Type::ARC ? Kind::CIRCLE
+         : type == Type::BSPLINE ? Kind::SPLINE : Kind::ELLIPSE;
+}
+
+// as many lines, circles, ellipses and splines as there are, where they are, and of their size
+void check_types(const Sampled_shape& shape, const Wireframe& wireframe)
+{
+  assert(wireframe.curves.size() == shape.truth.segments.size());
+  for (const Sample_solids::True_curve& truth : shape.truth.segments)
+    assert(std::count_if(wireframe.curves.begin(), wireframe.curves.end(), [&](const Wireframe::Curve& curve) {
+      return kind_of(curve.type) == truth.kind && are_equal(curve, truth);
+    }) == 1);
+  for (const Wireframe::Curve& curve : wireframe.curves) {
+    assert(curve.support > 0 && curve.root_mean_square < 0.3 * r);
+    assert(curve.source == curve.no_vertex || (curve.spline.control_points().front() == wireframe.vertices[curve.source]
+                                               && curve.spline.control_points().back() == wireframe.vertices[curve.target]));
+    if (curve.type == CGAL::Wireframe_curve_type::BSPLINE)
+      continue;
+    assert(curve.uncertainty.position > 0. && curve.uncertainty.position < 0.1 * r);
+    assert(curve.uncertainty.direction > 0. && curve.uncertainty.direction < 0.1);
+  }
+  assert(deviation_from_truth(shape, wireframe).mean < 0.1);
+}
+
+// Where only two curves meet, and these are pieces of a smooth one, their tangents agree.
+void check_tangent_joins(const Wireframe& wireframe, std::size_t expected)
+{
+  std::vector<std::vector<Kernel::Vector_3> > tangents(wireframe.vertices.size());
+  for (const Wireframe::Curve& curve : wireframe.curves) {
+    const auto range = curve.spline.parameter_range();
+    tangents[curve.source].push_back(curve.spline.tangent(range.first));
+    tangents[curve.target].push_back(-curve.spline.tangent(range.second));
+  }
+  std::size_t joins = 0;
+  for (const std::vector<Kernel::Vector_3>& pair : tangents)
+    if (pair.size() == 2 && pair[0] * pair[1] < -0.9) {
+      assert(std::sqrt(CGAL::cross_product(pair[0], pair[1]).squared_length()) < 1e-6);
+      ++joins;
+    }
+  assert(joins == expected);
+}
+
 void check_exactly(const std::string& name, Sampling sampling)
 {
   const Sampled_shape shape = sampled(name, sampling, Field_kind::EXACT);
-  const Wireframe wireframe = extracted(shape);
+  const Result result = extracted(shape);
+  check_types(shape, result.typed);
+  if (name == "slotted_plate")
+    check_tangent_joins(result.typed, 8);
+  const Wireframe& wireframe = result.splines;
   assert(wireframe.curves.size() == shape.truth.curves.size());
   assert(wireframe.vertices.size() == shape.truth.corners.size());
   for (const Sample_solids::True_curve& truth : shape.truth.curves)
@@ -170,7 +231,7 @@ void check_exactly(const std::string& name, Sampling sampling)
 void check_with_errors(const std::string& name, Sampling sampling)
 {
   const Sampled_shape shape = sampled(name, sampling, Field_kind::DEF);
-  const Wireframe wireframe = extracted(shape);
+  const Wireframe wireframe = extracted(shape).typed;
   assert(!wireframe.is_empty());
   assert(deviation_from_truth(shape, wireframe).mean < 0.6);
   assert(deviation_from_wireframe(shape, wireframe).mean < 0.6);
@@ -181,7 +242,7 @@ void check_with_errors(const std::string& name, Sampling sampling)
 int main()
 {
   for (const char* name : {"box", "cylinder", "frustum", "box_with_hole", "l_bracket", "nut", "wedge_30", "wedge_60",
-                           "dimple", "crossing_cylinders", "u_channel", "slotted_plate", "torus"})
+                           "dimple", "crossing_cylinders", "u_channel", "slotted_plate", "torus", "elliptic_cut"})
     for (Sampling sampling : {Sampling::POISSON, Sampling::UNIFORM})
       check_exactly(name, sampling);
   for (const char* name : {"box", "frustum", "wedge_30", "wedge_60", "u_channel"})

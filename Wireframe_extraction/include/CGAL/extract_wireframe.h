@@ -245,6 +245,11 @@ cloud, up to rounding.
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
+  \cgalParamNBegin{recognize_types}
+    \cgalParamDescription{whether `recognize_curve_types()` replaces splines by lines, circles and ellipses}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
   \cgalParamNBegin{extraction_report}
     \cgalParamDescription{a reference to what shall tell how the extraction went: `std::ref(report)`}
     \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}

@@ -64,9 +64,15 @@ public:
   void graph_built(const CGAL::Wireframe_graph<Geom_traits>& graph);
 
   /*!
-  is called when the curves are fitted, with the final result.
+  is called when the curves are fitted; all of them are splines.
   */
   void curves_fitted(const CGAL::Wireframe<Geom_traits>& wireframe);
+
+  /*!
+  is called when lines, circles and ellipses are recognized, with the final result. It is not called if
+  `recognize_types` is `false`.
+  */
+  void types_recognized(const CGAL::Wireframe<Geom_traits>& wireframe);
 
   /// @}
 };
