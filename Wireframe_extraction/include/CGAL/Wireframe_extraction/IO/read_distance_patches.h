@@ -103,7 +103,7 @@ bool read_distance_patches(const FilenameRange& filenames,
   std::vector<CGAL::Wireframe_extraction::Distance_patch<Point, FT>> result;
   std::size_t number_of_skipped = 0;
   std::string error;
-  for(const std::string filename : filenames)
+  for(const std::string& filename : filenames)
   {
     error = internal::read_in_memory(filename, [&]
     {
