@@ -204,7 +204,7 @@ std::string npy(const std::vector<double>& values, const std::vector<std::size_t
                 const std::string& type = "<f8", bool is_fortran = false, int version = 1)
 {
   std::string shape_text;
-  for(const std::size_t size : shape)
+  for(const std::size_t& size : shape)
     shape_text += std::to_string(size) + (shape.size() == 1 ? "," : &size == &shape.back() ? "" : ", ");
   std::string bytes = npy_header(dictionary(type, shape_text, is_fortran), version);
   for(std::size_t i = 0; i < values.size(); ++i)
@@ -512,7 +512,7 @@ void test_bad_npz()
                        distances }, 8), { "array \"points\"", "1000000000000 x 3", "at most 48 bytes" });
 #else
   refuse(".npz", zip({ points, distances }, 8),
-         { "\"points\"", "needs zlib", "built without", "numpy.savez()", "CGAL::Wireframe_extraction_ZLIB", "zlib1g-dev" });
+         { "\"points\"", "needs zlib", "without which this program was built", "numpy.savez()", "CGAL::Wireframe_extraction_ZLIB", "zlib1g-dev" });
 #endif
   for(const unsigned method : zip_methods())
     for(const bool is_large : { false, true })
@@ -734,7 +734,7 @@ void test_bad_hdf5()
 void test_hdf5()
 {
   for(const char* const suffix : { ".h5", ".hdf5", ".H5" })
-    refuse(suffix, "anything", { "needs HDF5", "built without", "CGAL::Wireframe_extraction_HDF5", "libhdf5-dev" });
+    refuse(suffix, "anything", { "needs HDF5", "without which this program was built", "CGAL::Wireframe_extraction_HDF5", "libhdf5-dev" });
 }
 
 void test_hdf5_rows() {}
