@@ -605,6 +605,17 @@ public:
     H5Sclose(space);
   }
 
+  void add_external(const std::string& name, hsize_t count)
+  {
+    const hsize_t shape[] = { count, 3 };
+    const hid_t space = H5Screate_simple(2, shape, nullptr);
+    const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_external(properties, "input_scratch_elsewhere.raw", 0, H5F_UNLIMITED);
+    H5Dclose(H5Dcreate2(file_, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, properties, H5P_DEFAULT));
+    H5Pclose(properties);
+    H5Sclose(space);
+  }
+
   void add_text(const std::string& name)
   {
     const hid_t space = H5Screate(H5S_SCALAR);
@@ -707,12 +718,14 @@ void test_bad_hdf5()
       writer.add("points", {}, { 0, 3 });
       writer.add("distances", {}, { 0 });
       writer.add("huge", {}, { hsize_t(1) << 40, 3 }, H5T_IEEE_F64LE, true, false);
+      writer.add_external("elsewhere", 100);
       writer.add("vast", {}, { hsize_t(1) << 61, 3 }, H5T_STD_I8LE, true, false);
     }
     refuse(file, { "holds no points" });
     const auto begin = std::chrono::steady_clock::now();
     refuse(file, { "\"huge\" promises the shape 1099511627776 x 3 of 64 bit", "only 0 bytes", "never written" },
            { "huge", "", "" });
+    refuse(file, { "\"elsewhere\"", "other files", "h5py" }, { "elsewhere", "", "" });
     refuse(file, { "\"vast\" promises", "only 0 bytes" }, { "vast", "", "" });
     assert(std::chrono::steady_clock::now() - begin < std::chrono::seconds(10));
   }

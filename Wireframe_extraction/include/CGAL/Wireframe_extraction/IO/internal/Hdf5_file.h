@@ -193,6 +193,21 @@ private:
     return kind == H5T_FLOAT || kind == H5T_INTEGER;
   }
 
+  // what a data set claims to take, but no more than the file has
+  std::uint64_t stored_size(hid_t dataset) const
+  {
+    hsize_t size_of_file = 0;
+    H5Fget_filesize(file_.get(), &size_of_file);
+    return (std::min)(std::uint64_t(H5Dget_storage_size(dataset)), std::uint64_t(size_of_file));
+  }
+
+  static bool refers_to_other_files(hid_t dataset)
+  {
+    const Hdf5_handle properties(H5Dget_create_plist(dataset), &H5Pclose);
+    return properties.is_valid()
+           && (H5Pget_layout(properties.get()) == H5D_VIRTUAL || H5Pget_external_count(properties.get()) > 0);
+  }
+
   // returns what went wrong, nothing if all went well
   std::string read_dataset(const std::string& name, Number_array& array)
   {
@@ -212,7 +227,9 @@ private:
       return "holds no numbers; floating point numbers or integers are needed";
     std::uint64_t count = 0;
     const std::uint64_t bytes = H5Tget_size(type.get());
-    const std::uint64_t there = H5Dget_storage_size(dataset.get());
+    const std::uint64_t there = stored_size(dataset.get());
+    if(refers_to_other_files(dataset.get()))
+      return "has its data in other files; put it into one, as h5py does if a new data set gets the array of the old one";
     if(!find_number_of_values(array.shape, count) || (count > 0 && count > there * largest_compression / bytes))
       return "promises the shape " + shape_text(array) + " of " + std::to_string(8 * bytes)
              + " bit numbers, but has only " + std::to_string(there)
@@ -261,11 +278,11 @@ private:
   }
 
   // rows of different lengths, as whole models have them
-  static std::string read_ragged(hid_t dataset, hid_t file_type, Number_array& array)
+  std::string read_ragged(hid_t dataset, hid_t file_type, Number_array& array)
   {
     array.is_ragged = true;
     const Hdf5_handle type(H5Tvlen_create(H5T_NATIVE_DOUBLE), &H5Tclose);
-    const std::uint64_t there = H5Dget_storage_size(dataset);
+    const std::uint64_t there = stored_size(dataset);
     if(array.shape[0] > 0 && array.shape[0] > there * largest_compression / H5Tget_size(file_type))
       return "promises " + std::to_string(array.shape[0]) + " rows, but has only " + std::to_string(there)
              + " bytes for them: it was never written completely, or the file is damaged";
