@@ -742,6 +742,31 @@ void test_bad_hdf5()
     refuse(".h5", good.substr(0, size), { "truncated", "complete copy" });
 }
 
+// the library says nothing itself, and afterwards speaks to whom it spoke before
+void test_silence()
+{
+  static int number_of_calls;
+  const H5E_auto2_t count = [](hid_t, void*)
+  {
+    ++number_of_calls;
+    return herr_t(0);
+  };
+  H5E_auto2_t old_function, function;
+  void *old_data, *data;
+  H5Eget_auto2(H5E_DEFAULT, &old_function, &old_data);
+  H5Eset_auto2(H5E_DEFAULT, count, &number_of_calls);
+  refuse(".h5", "1 2 3 4\n", { "no HDF5 file" });
+  const Test_file file(".h5");
+  Hdf5_writer(file.name).add("points", { 1, 2 }, { 2 });
+  refuse(file, { "\"points\"" });
+  assert(number_of_calls == 0);
+  H5Eget_auto2(H5E_DEFAULT, &function, &data);
+  assert(function == count && data == &number_of_calls);
+  H5Fopen("input_none.h5", H5F_ACC_RDONLY, H5P_DEFAULT);
+  assert(number_of_calls == 1);
+  H5Eset_auto2(H5E_DEFAULT, old_function, old_data);
+}
+
 #else // without HDF5
 
 void test_hdf5()
@@ -752,6 +777,7 @@ void test_hdf5()
 
 void test_hdf5_rows() {}
 void test_bad_hdf5() {}
+void test_silence() {}
 
 #endif
 
@@ -1158,6 +1184,7 @@ int main()
   test_hdf5();
   test_hdf5_rows();
   test_bad_hdf5();
+  test_silence();
   test_pcd();
   test_off();
   test_mesh_in_ply();

@@ -148,14 +148,16 @@ bool read_distance_cloud_of_files(const std::string& filename, const std::string
 /// - `.h5`, `.hdf5`: the same as data sets, with HDF5. Other data sets are not looked at.
 /// - `.off`, also with colours and normals: the vertices of a mesh. They have no distances: use the other overload.
 ///
-/// The last but one may hold patches, as files of the regressor DEF do: points B x N x 3, and distances B x N; or B
+/// HDF5 files may hold patches, as files of the regressor DEF do: points B x N x 3, and distances B x N; or B
 /// rows of different lengths, of points (each 3 N numbers) and of distances. All patches are put one after the other,
 /// and where they overlap, points are there more than once: `read_distance_patches()` and
 /// `Wireframe_extraction::fuse_distance_patches()` merge them. So may the arrays of `.npy` and `.npz`.
 ///
 /// HDF5 is there if the macro `CGAL_WIREFRAME_EXTRACTION_USE_HDF5` is defined, as the CMake target
 /// `CGAL::Wireframe_extraction_HDF5` does, and zlib with `CGAL_WIREFRAME_EXTRACTION_USE_ZLIB` and
-/// `CGAL::Wireframe_extraction_ZLIB`. Reading HDF5 is as safe in several threads as the library is.
+/// `CGAL::Wireframe_extraction_ZLIB`. The HDF5 library is only as safe in several threads as it was built to be, and its
+/// older versions (1.10 is one) can crash on files that were damaged on purpose; truncated ones are refused. What comes
+/// from strangers is better read as `.npz`.
 ///
 /// Decimals are written with a point whatever the locale. Coordinates and distances have to be finite and the
 /// distances not negative, else the file is refused, or the points left out with `skip_invalid()`.
@@ -167,7 +169,8 @@ bool read_distance_cloud_of_files(const std::string& filename, const std::string
 /// \param filename the name of the file
 /// \param cloud the points and their distances, in the order of the file. What it held before is replaced;
 ///   it is left as it was if reading fails.
-/// \param np an optional sequence of named parameters among the ones listed below
+/// \param np an optional sequence of named parameters among the ones listed below; what a format has no use for is
+///   passed over
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{distance_property}

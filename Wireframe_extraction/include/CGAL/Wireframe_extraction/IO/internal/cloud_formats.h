@@ -45,9 +45,8 @@ inline Cloud_format find_cloud_format(const std::string& filename)
   static const struct { const char* extension; Cloud_format format; } formats[] = {
     { ".ply", Cloud_format::PLY }, { ".xyz", Cloud_format::TEXT }, { ".txt", Cloud_format::TEXT },
     { ".csv", Cloud_format::TEXT }, { ".asc", Cloud_format::TEXT }, { ".pts", Cloud_format::TEXT },
-    { ".pcd", Cloud_format::PCD }, { ".off", Cloud_format::OFF }, { ".coff", Cloud_format::OFF },
-    { ".noff", Cloud_format::OFF }, { ".npy", Cloud_format::NPY }, { ".npz", Cloud_format::NPZ },
-    { ".h5", Cloud_format::HDF5 }, { ".hdf5", Cloud_format::HDF5 } };
+    { ".pcd", Cloud_format::PCD }, { ".off", Cloud_format::OFF }, { ".npy", Cloud_format::NPY },
+    { ".npz", Cloud_format::NPZ }, { ".h5", Cloud_format::HDF5 }, { ".hdf5", Cloud_format::HDF5 } };
   const std::string extension = lower_extension(filename);
   for(const auto& known : formats)
     if(extension == known.extension)
