@@ -512,7 +512,8 @@ void test_bad_npz()
                        distances }, 8), { "array \"points\"", "1000000000000 x 3", "at most 48 bytes" });
 #else
   refuse(".npz", zip({ points, distances }, 8),
-         { "\"points\"", "needs zlib", "without which this program was built", "numpy.savez()", "CGAL::Wireframe_extraction_ZLIB", "zlib1g-dev" });
+         { "\"points\"", "needs zlib", "without which this program was built", "numpy.savez()",
+           "CGAL::Wireframe_extraction_ZLIB", "zlib1g-dev" });
 #endif
   for(const unsigned method : zip_methods())
     for(const bool is_large : { false, true })
@@ -772,7 +773,8 @@ void test_silence()
 void test_hdf5()
 {
   for(const char* const suffix : { ".h5", ".hdf5", ".H5" })
-    refuse(suffix, "anything", { "needs HDF5", "without which this program was built", "CGAL::Wireframe_extraction_HDF5", "libhdf5-dev" });
+    refuse(suffix, "anything", { "needs HDF5", "without which this program was built", "CGAL::Wireframe_extraction_HDF5",
+                                 "libhdf5-dev" });
 }
 
 void test_hdf5_rows() {}
@@ -816,7 +818,8 @@ void test_pcd()
   assert(read(ascii_file.name, { "", "", "quality" })[5].second == 3.);
   const Test_file distances("_distances.npy", npy(std::vector<double>(cloud.size(), 2.), { cloud.size() }));
   assert(read_pair(binary_file.name, distances.name)[9].second == 2.);
-  const Test_file no_points(".pcd", "FIELDS x y z distance\nWIDTH 2\nHEIGHT 2\nDATA ascii\n0 0 0 0\n1 1 1 1\n2 2 2 2\n3 3 3 3");
+  const Test_file no_points(".pcd", "FIELDS x y z distance\nWIDTH 2\nHEIGHT 2\nDATA ascii\n"
+                                    "0 0 0 0\n1 1 1 1\n2 2 2 2\n3 3 3 3");
   assert(read(no_points.name).size() == 4);
 
   const auto header = [](const std::string& number, const std::string& kind)
@@ -835,7 +838,8 @@ void test_pcd()
   refuse(".pcd", "FIELDS x y z distance\nPOINTS 5\nWIDTH 2\nHEIGHT 3\nDATA ascii\n", { "5 POINTS", "WIDTH 2", "3" });
   refuse(".pcd", "FIELDS x y z distance\nWIDTH 18446744073709551615\nHEIGHT 3\nDATA binary\n0123456789abcdef",
          { "promises", "truncated" });
-  refuse(".pcd", header("1", "binary_compressed"), { ":11:", "compressed", "pcl_convert_pcd_ascii_binary", "pcl-tools" });
+  refuse(".pcd", header("1", "binary_compressed"), { ":11:", "compressed", "pcl_convert_pcd_ascii_binary",
+                                                   "pcl-tools" });
   refuse(".pcd", header("1", "text"), { ":11:", "ascii or binary", "\"text\"" });
   refuse(".pcd", header("1", "ascii"), { "truncated", "after 0 of 1 points" });
   refuse(".pcd", header("1", "ascii") + "1 2 3\n", { ":12:", "3 values", "4" });
@@ -1037,7 +1041,8 @@ void test_fusion_of_values()
   }
 
   // indices count more than positions
-  Patches indexed = { Patch{ { { c, 1 }, { a, 2 } }, { 7, 3 } }, Patch{ { { Point(0, 0, 1e-4), 1 }, { c, 4 } }, { 3, 8 } } };
+  Patches indexed = { Patch{ { { c, 1 }, { a, 2 } }, { 7, 3 } },
+                      Patch{ { { Point(0, 0, 1e-4), 1 }, { c, 4 } }, { 3, 8 } } };
   assert(fuse(indexed) == (Cloud{ { a, 1 }, { c, 1 }, { c, 4 } }));
   indexed[1].indices.clear(); // not all have them: positions count
   assert(fuse(indexed) == (Cloud{ { a, 2 }, { Point(0, 0, 1e-4), 1 }, { c, 1 } }));
@@ -1096,7 +1101,8 @@ void test_patch_files()
   for(const auto& sample : samples[2].samples)
     text += std::to_string(sample.first.x()) + " " + std::to_string(sample.first.y()) + " "
             + std::to_string(sample.first.z()) + " " + CGAL::IO::internal::number_to_string(sample.second) + "\n";
-  const Test_file a("_a.npz", npz_of(0, "indices", zip_methods().back())), b("_b.npz", npz_of(1, "indexes_in_whole", 0));
+  const Test_file a("_a.npz", npz_of(0, "indices", zip_methods().back()));
+  const Test_file b("_b.npz", npz_of(1, "indexes_in_whole", 0));
   const Test_file c("_c.xyz", text), c_indexed("_c.npz", npz_of(2, "own", 0));
   const Test_file d("_d.npy", npy(rows_of_four(samples[3].samples), { samples[3].samples.size(), 4 }));
   const Test_file e("_e.npz", npz_of(4, "indices", 0)), f("_f.npz", npz_of(5, "indices", 0));

@@ -110,6 +110,23 @@ class Numpy_test(unittest.TestCase):
         else:
             self.refuse(BAD_INPUT, ["c.npz", "zlib1g-dev"], "c.npz")
 
+    def test_other_formats(self):
+        rows = self.cloud.astype("<f8").tobytes()
+        header = ("VERSION 0.7\nFIELDS x y z sharpness\nSIZE 8 8 8 8\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 5000\nHEIGHT 1\n"
+                  "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 5000\nDATA binary\n")
+        (self.folder / "cloud.pcd").write_bytes(header.encode() + rows)
+        self.check("cloud.pcd")
+        self.check("cloud.pcd", "--distance-property", "sharpness")
+        self.refuse(BAD_INPUT, ["cloud.pcd", "\"own\"", "x, y, z, sharpness"], "cloud.pcd", "--distance-property", "own")
+        (self.folder / "cut.pcd").write_bytes(header.encode() + rows[:-1])
+        self.refuse(BAD_INPUT, ["cut.pcd", "5000 points", "truncated"], "cut.pcd")
+        lines = "".join(" ".join(map(repr, row)) + "\n" for row in self.points.tolist())
+        (self.folder / "mesh.off").write_text("OFF\n5000 1 0\n" + lines + "3 0 1 2\n")
+        numpy.savez(self.folder / "d.npz", prediction=self.distances)
+        self.check("mesh.off", "--distances", "d.npz", "--distances-dataset", "prediction")
+        self.refuse(BAD_INPUT, ["mesh.off", "no distances"], "mesh.off")
+        self.refuse(BAD_INPUT, ["d.npz", "prediction", "--distances-dataset"], "mesh.off", "--distances", "d.npz")
+
     def patches(self, count=6):
         """Parts that overlap, as indices; and the distances of each, which are far near its borders."""
         generator = numpy.random.default_rng(5)

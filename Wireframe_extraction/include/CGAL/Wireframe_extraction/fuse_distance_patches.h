@@ -35,8 +35,8 @@ namespace Wireframe_extraction {
 ///
 /// A regressor such as DEF sees one patch at a time. What a point is close to may lie outside of its patch; then the
 /// estimate is too large, mostly the bound at which distances are cut off. Errors of this kind, which the minimum
-/// leaves out, are the ones to be expected near the borders of patches, so it is the default. The median leaves out single estimates that are too small, at the price of features which
-/// few of the patches see.
+/// leaves out, are the ones to be expected near the borders of patches, so it is the default. The median leaves
+/// out single estimates that are too small, at the price of features which few of the patches see.
 ///
 /// \tparam Point a type with the member functions `x()`, `y()` and `z()`
 /// \tparam FT a model of `FieldNumberType`

@@ -155,9 +155,9 @@ bool read_distance_cloud_of_files(const std::string& filename, const std::string
 ///
 /// HDF5 is there if the macro `CGAL_WIREFRAME_EXTRACTION_USE_HDF5` is defined, as the CMake target
 /// `CGAL::Wireframe_extraction_HDF5` does, and zlib with `CGAL_WIREFRAME_EXTRACTION_USE_ZLIB` and
-/// `CGAL::Wireframe_extraction_ZLIB`. The HDF5 library is only as safe in several threads as it was built to be, and its
-/// older versions (1.10 is one) can crash on files that were damaged on purpose; truncated ones are refused. What comes
-/// from strangers is better read as `.npz`.
+/// `CGAL::Wireframe_extraction_ZLIB`. The HDF5 library is only as safe in several threads as it was built to be, and
+/// its older versions (1.10 is one) can crash on files that were damaged on purpose; truncated ones are refused. What
+/// comes from strangers is better read as `.npz`.
 ///
 /// Decimals are written with a point whatever the locale. Coordinates and distances have to be finite and the
 /// distances not negative, else the file is refused, or the points left out with `skip_invalid()`.
@@ -210,8 +210,8 @@ bool read_distance_cloud_of_files(const std::string& filename, const std::string
 /// \cgalNamedParamsEnd
 ///
 /// \return `true` if the cloud was read and has at least one point, else `false`: the file does not exist or
-///   cannot be read, its extension is unknown or needs a library that is not there, it is malformed, truncated or empty, its distances are
-///   missing, or it has points that cannot be used and `skip_invalid` is `false`.
+///   cannot be read, its extension is unknown or needs a library that is not there, it is malformed, truncated or
+///   empty, its distances are missing, or it has points that cannot be used and `skip_invalid` is `false`.
 ///
 /// Reading takes time linear in the size of the file, and memory for the points that are there (whatever
 /// number a header promises).

@@ -229,7 +229,8 @@ private:
     const std::uint64_t bytes = H5Tget_size(type.get());
     const std::uint64_t there = stored_size(dataset.get());
     if(refers_to_other_files(dataset.get()))
-      return "has its data in other files; put it into one, as h5py does if a new data set gets the array of the old one";
+      return "has its data in other files; put it into one, as h5py does if a new data set gets the array of the "
+             "old one";
     if(!find_number_of_values(array.shape, count) || (count > 0 && count > there * largest_compression / bytes))
       return "promises the shape " + shape_text(array) + " of " + std::to_string(8 * bytes)
              + " bit numbers, but has only " + std::to_string(there)
