@@ -1,5 +1,6 @@
 // The command line tool: a cloud with distances in, its wireframe out. See extract_wireframe --help.
 
+#include "extract_wireframe_input.h"
 #include "extract_wireframe_options.h"
 #include "extract_wireframe_outputs.h"
 #include "extract_wireframe_stages.h"
@@ -7,7 +8,6 @@
 
 #include <CGAL/extract_wireframe.h>
 #include <CGAL/Wireframe_extraction/Default_visitor.h>
-#include <CGAL/Wireframe_extraction/IO/read_distance_cloud.h>
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
@@ -23,6 +23,7 @@
 #include <unistd.h>
 #endif
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
@@ -39,7 +40,6 @@
 namespace tool {
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-typedef std::vector<std::pair<Kernel::Point_3, double> > Cloud;
 typedef CGAL::Wireframe<Kernel> Wireframe;
 typedef CGAL::Wireframe_extraction_report Report;
 namespace parameters = CGAL::Wireframe_extraction::parameters;
@@ -211,23 +211,25 @@ private:
   {
     const auto begin = Clock::now();
     Cloud cloud;
-    std::string error;
-    const auto np = parameters::skip_invalid(m_options.skip_invalid).error_message(&error)
-                      .distance_property(m_options.distance_property).number_of_skipped(&m_number_of_skipped);
-    const bool is_read = m_options.has_distances
-                           ? CGAL::IO::read_distance_cloud(m_options.cloud, m_options.distances, cloud, np)
-                           : CGAL::IO::read_distance_cloud(m_options.cloud, cloud, np);
-    if(!is_read)
+    std::size_t number_of_points_of_patches = 0;
+    const std::string error =
+      read_input(m_options.input, cloud, m_number_of_skipped, number_of_points_of_patches);
+    if(!error.empty())
       throw Error(BAD_INPUT, with_option_names(error));
+    if(m_options.input.are_patches)
+      m_notes.push_back("the patches have " + counted(number_of_points_of_patches, "point", "points")
+                        + ", which were fused to " + std::to_string(cloud.size()));
     m_seconds.emplace_back("reading", seconds_since(begin));
     return cloud;
   }
 
-  // the name of the cloud, with which messages begin, stays as it is
+  // the name of a file, with which messages begin, stays as it is
   std::string with_option_names(const std::string& text) const
   {
-    const std::size_t size =
-      text.compare(0, m_options.cloud.size(), m_options.cloud) == 0 ? m_options.cloud.size() : 0;
+    std::size_t size = 0;
+    for(const std::string& name : m_options.input.files)
+      if(text.compare(0, name.size(), name) == 0)
+        size = (std::max)(size, name.size());
     return text.substr(0, size) + m_command_line.with_option_names(text.substr(size));
   }
 
@@ -269,7 +271,7 @@ private:
         .number_of_rounds(options.number_of_rounds)
         .recognize_types(options.recognize_types)
         .type_significance(options.type_significance)
-        .skip_invalid(m_options.skip_invalid)
+        .skip_invalid(m_options.input.skip_invalid)
         .extraction_report(std::ref(m_report))
         .visitor(std::ref(visitor))
         .callback(callback));
@@ -282,7 +284,7 @@ private:
     std::string text = m_report.message;
     for(const std::string& warning : m_report.warnings)
       text += "; " + warning;
-    text = m_options.cloud + ": " + m_command_line.with_option_names(text);
+    text = m_options.input.files.front() + ": " + m_command_line.with_option_names(text);
     if(m_report.status == Report::Status::INVALID_INPUT)
       throw Error(BAD_INPUT, text);
     if(m_report.status != Report::Status::NO_FEATURE)

@@ -3,6 +3,8 @@
 #ifndef EXTRACT_WIREFRAME_OPTIONS_H
 #define EXTRACT_WIREFRAME_OPTIONS_H
 
+#include "extract_wireframe_input.h"
+
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
@@ -41,10 +43,10 @@ struct Error : std::runtime_error
 
 struct Options
 {
-  std::string cloud, distances, distance_property, stages_folder;
+  Input input;
+  std::string stages_folder;
   std::vector<std::string> outputs;
-  bool has_distances = false, has_stages = false;
-  bool skip_invalid = false, is_paper = false, is_quiet = false;
+  bool has_stages = false, is_paper = false, is_quiet = false;
   int number_of_threads = 0;      // 0: as many as there are
   double sampling_distance = 0.;  // 0: to be estimated
   Length_unit unit = Length_unit::MILLIMETER;
@@ -105,6 +107,7 @@ public:
     m_app.formatter(std::make_shared<Help_formatter>());
     m_app.set_help_flag(); // for now, so that the files come first
     add_files();
+    add_input();
     add_run();
     add_skeleton();
     add_corners();
@@ -129,7 +132,10 @@ public:
       m_options.extraction = wireframe::internal::extraction_options(wireframe::parameters::paper_defaults());
       m_app.parse(argc, argv);
     }
-    m_options.has_distances = m_app.count("--distances") > 0;
+    m_options.input.has_distances = m_app.count("--distances") > 0;
+    if(m_options.input.files.size() > 1 && !m_options.input.are_patches)
+      throw CLI::ExtrasError("extract_wireframe",
+                             {m_options.input.files[1] + " (several clouds are read as --patches of one)"});
     m_options.has_stages = m_app.count("--stages") > 0;
   }
 
@@ -149,9 +155,9 @@ private:
   void add_files()
   {
     const std::string group = "Files";
-    m_app.add_option("CLOUD", m_options.cloud,
-                     "The points and their distances: .ply (ascii or binary), or a text of four columns: "
-                     ".xyz .txt .csv .asc .pts")
+    m_app.add_option("CLOUD", m_options.input.files,
+                     "The points and their distances: .ply .pcd .npy .npz .h5 .hdf5, or a text of four columns: "
+                     ".xyz .txt .csv .asc .pts; with --distances also .off. With --patches, as many as there are")
       ->required()->type_name(" ");
     m_app.add_option("-o,--output", m_options.outputs,
                      "Where the wireframe goes, as often as needed; the extension gives the format: .json "
@@ -169,21 +175,47 @@ private:
     m_app.add_flag("--obj-splines", m_options.has_obj_splines,
                    "Write curves into .obj as free-form curves instead of polylines; not every program reads these")
       ->group(group);
-    CLI::Option* const distances = m_app.add_option("--distances", m_options.distances,
-                     "A text file with the distances, one per line, if they are not in CLOUD")
-      ->type_name("FILE")->group(group);
-    m_app.add_option("--distance-property", m_options.distance_property,
-                     "The property or column of CLOUD that holds the distances; otherwise the first that is "
-                     "there of distance, distances, sharpness, scalar_distance, quality")
-      ->type_name("NAME")->excludes(distances)->group(group);
-    m_app.add_flag("--skip-invalid", m_options.skip_invalid,
-                   "Leave out points with a number that is not finite, or a negative distance")
-      ->group(group);
     m_app.add_option("--stages", m_options.stages_folder,
                      "Write the result of each stage into this folder (made if missing), as coloured PLY "
                      "files 1_skeleton.ply to 6_curves.ply for MeshLab or CloudCompare; those of an earlier "
                      "run are replaced. They stay if a later stage fails")
       ->type_name("DIR")->group(group);
+  }
+
+  void add_input()
+  {
+    const std::string group = "Input";
+    CLI::Option* const distances = m_app.add_option("--distances", m_options.input.distances,
+                     "A file with the distances, if they are not in CLOUD: text with one per line, or .npy .npz .h5 .hdf5")
+      ->type_name("FILE")->group(group);
+    m_app.add_option("--distance-property", m_options.input.distance_property,
+                     "The property or column of CLOUD that holds the distances; otherwise the first that is "
+                     "there of distance, distances, sharpness, scalar_distance, quality")
+      ->type_name("NAME")->excludes(distances)->group(group);
+    m_app.add_option("--points-dataset", m_options.input.points_dataset,
+                     "The data set of HDF5, or array of .npz, that holds the points; otherwise points")
+      ->type_name("NAME")->group(group);
+    m_app.add_option("--distances-dataset", m_options.input.distances_dataset,
+                     "The same for the distances; otherwise as for --distance-property")
+      ->type_name("NAME")->group(group);
+    m_app.add_flag("--patches", m_options.input.are_patches,
+                   "CLOUD is a file with overlapping patches of a cloud, or several ones: a point in several "
+                   "patches, each with a distance of its own, becomes one")
+      ->excludes(distances)->group(group);
+    add_choice("--fuse", m_options.input.fusion,
+               {{"minimum", CGAL::Wireframe_extraction::Patch_fusion::MINIMUM},
+                {"median", CGAL::Wireframe_extraction::Patch_fusion::MEDIAN}},
+               "What becomes of the distances of a point in several patches", group);
+    m_app.add_option("--indices-dataset", m_options.input.indices_dataset,
+                     "The data set or array that says where the points of patches are in the cloud; otherwise the "
+                     "first that is there of indices, indexes_in_whole")
+      ->type_name("NAME")->group(group);
+    add_boolean("--use-indices", m_options.input.use_indices,
+                "Whether points of patches are the same by their indices, if there are any, or else by their "
+                "positions", group);
+    m_app.add_flag("--skip-invalid", m_options.input.skip_invalid,
+                   "Leave out points with a number that is not finite, or a negative distance")
+      ->group(group);
   }
 
   void add_run()

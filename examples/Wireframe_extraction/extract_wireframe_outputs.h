@@ -188,9 +188,10 @@ inline void check_that_files_differ(const Options& options)
       throw Error(USAGE_ERROR, name + ": is to be written, but " + names[path]
                                + " is the same file; give different names");
   };
-  add(options.cloud, false);
-  if(options.has_distances)
-    add(options.distances, false);
+  for(const std::string& name : options.input.files)
+    add(name, false);
+  if(options.input.has_distances)
+    add(options.input.distances, false);
   for(const std::string& name : options.outputs)
     add(name, true);
   if(options.has_stages)

@@ -414,10 +414,11 @@ class Tool_test(unittest.TestCase):
         # what only a program can give
         for_programs = {"distance_map", "error_message", "number_of_skipped", "sampling_step",
                         "extraction_report", "visitor"}
+        renamed = {"patch_fusion": "fuse", "recognize_types": "splines-only"}
         text = self.extract("--help")
         for name in names:
             if name not in for_programs:
-                self.assertRegex(text, rf"(?m)^  --{name.replace('_', '-')}\b")
+                self.assertRegex(text, rf"(?m)^  --{renamed.get(name, name).replace('_', '-')}\b")
 
     @unittest.skipIf(sys.platform == "win32", "there is no pseudo terminal")
     def test_progress(self):

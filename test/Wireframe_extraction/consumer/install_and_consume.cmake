@@ -5,11 +5,13 @@ set(consumer_folder "${work_folder}/build")
 file(REMOVE_RECURSE "${work_folder}")
 file(MAKE_DIRECTORY "${work_folder}")
 
-if(expects_occt)
-  set(has_no_occt OFF)
-else()
-  set(has_no_occt ON)
-endif()
+foreach(library IN ITEMS occt hdf5 zlib)
+  if(expects_${library})
+    set(has_no_${library} OFF)
+  else()
+    set(has_no_${library} ON)
+  endif()
+endforeach()
 
 function(run_or_fail)
   execute_process(COMMAND ${ARGN} WORKING_DIRECTORY "${work_folder}" RESULT_VARIABLE result)
@@ -37,6 +39,10 @@ run_or_fail("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}" -B "${consumer_fol
   "-DCMAKE_RUNTIME_OUTPUT_DIRECTORY=${work_folder}/bin"
   "-DCMAKE_DISABLE_FIND_PACKAGE_OpenCASCADE=${has_no_occt}"
   "-Dexpects_occt=${expects_occt}"
+  "-DCMAKE_DISABLE_FIND_PACKAGE_HDF5=${has_no_hdf5}"
+  "-Dexpects_hdf5=${expects_hdf5}"
+  "-DCMAKE_DISABLE_FIND_PACKAGE_ZLIB=${has_no_zlib}"
+  "-Dexpects_zlib=${expects_zlib}"
   "-Dexpected_version=${version}")
 run_or_fail("${CMAKE_COMMAND}" --build "${consumer_folder}" ${configuration_arguments})
 
@@ -53,6 +59,9 @@ list(LENGTH programs number_of_programs)
 if(NOT number_of_programs EQUAL 1)
   message(FATAL_ERROR "expected one program, found: ${programs}")
 endif()
+run_or_fail(${programs})
+file(GLOB_RECURSE programs "${work_folder}/bin/input_consumer*")
+list(FILTER programs INCLUDE REGEX "input_consumer(\\.exe)?$")
 run_or_fail(${programs})
 if(expects_occt)
   file(GLOB_RECURSE programs "${work_folder}/bin/cad_consumer*")

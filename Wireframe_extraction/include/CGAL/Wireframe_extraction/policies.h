@@ -40,6 +40,14 @@ enum class End_detection
 };
 
 /// \ingroup PkgWireframeExtractionParameters
+/// What becomes of the distances that overlapping patches give to the same point.
+enum class Patch_fusion
+{
+  MINIMUM,  ///< the smallest: the patches that see the feature count
+  MEDIAN    ///< the median, the mean of the middle two if their number is even: single wrong patches do not count
+};
+
+/// \ingroup PkgWireframeExtractionParameters
 /// What one unit of the coordinates is, for formats that say so. Coordinates are never converted.
 enum class Length_unit
 {

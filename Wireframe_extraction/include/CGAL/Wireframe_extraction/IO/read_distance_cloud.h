@@ -12,15 +12,12 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_READ_DISTANCE_CLOUD_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_READ_DISTANCE_CLOUD_H
 
-#include <CGAL/Wireframe_extraction/IO/internal/Ply_cloud_reader.h>
 #include <CGAL/Wireframe_extraction/IO/internal/Sample_filter.h>
-#include <CGAL/Wireframe_extraction/IO/internal/Text_cloud_reader.h>
-#include <CGAL/Wireframe_extraction/IO/internal/file_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud_formats.h>
 #include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <cstddef>
-#include <fstream>
 #include <limits>
 #include <new>
 #include <stdexcept>
@@ -33,24 +30,13 @@ namespace CGAL {
 namespace IO {
 namespace internal {
 
-enum class Cloud_format { PLY, TEXT, UNKNOWN };
-
-inline Cloud_format find_cloud_format(const std::string& filename)
-{
-  const std::string extension = lower_extension(filename);
-  if(extension == ".ply")
-    return Cloud_format::PLY;
-  for(const char* const text : { ".xyz", ".txt", ".csv", ".asc", ".pts" })
-    if(extension == text)
-      return Cloud_format::TEXT;
-  return Cloud_format::UNKNOWN;
-}
-
 // puts samples at the end of a vector of pairs
 template <class Point, class FT>
 struct Cloud_sink
 {
   std::vector<std::pair<Point, FT>>& cloud;
+
+  void reserve(std::size_t count) { cloud.reserve(count); }
 
   bool operator()(const Distance_sample* first, const Distance_sample* last)
   {
@@ -69,43 +55,42 @@ double largest_magnitude_of()
     return (std::numeric_limits<double>::max)();
 }
 
-// returns what went wrong, nothing if all went well
-template <class Point, class FT>
-std::string read_cloud(const std::string& filename, const Cloud_reader_options& options,
-                       std::vector<std::pair<Point, FT>>& cloud, std::size_t& number_of_skipped)
-{
-  const Cloud_format format = find_cloud_format(filename);
-  if(format == Cloud_format::UNKNOWN)
-    return filename + ": unknown extension " + quote(lower_extension(filename))
-           + " of a point cloud; known are .ply (ascii or binary) and .xyz .txt .csv .asc .pts (text)";
-  std::ifstream stream;
-  std::string error;
-  if(!open_input_file(filename, stream, error))
-    return error;
-  Cloud_sink<Point, FT> sink = { cloud };
-  if(format == Cloud_format::TEXT)
-  {
-    Text_cloud_reader reader(stream, filename, options);
-    reader.read(sink);
-    number_of_skipped = reader.filter().number_of_invalid();
-    return reader.error();
-  }
-  Ply_cloud_reader reader(stream, filename, options);
-  if(reader.read_header())
-  {
-    cloud.reserve(reader.trusted_number_of_vertices());
-    reader.read(sink);
-  }
-  number_of_skipped = reader.filter().number_of_invalid();
-  return reader.error();
-}
-
-template <class NamedParameters>
-std::string get_distance_property(const NamedParameters& np)
+// what the named parameters say about reading
+template <class FT, class NamedParameters>
+Cloud_reader_options get_cloud_reader_options(const NamedParameters& np)
 {
   namespace internal_np = CGAL::Wireframe_extraction::internal_np;
-  return CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter_reference(np, internal_np::distance_property), std::string());
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::get_parameter_reference;
+
+  Cloud_reader_options options;
+  options.distance_property =
+    choose_parameter(get_parameter_reference(np, internal_np::distance_property), std::string());
+  options.points_dataset = choose_parameter(get_parameter_reference(np, internal_np::points_dataset), std::string());
+  options.distances_dataset =
+    choose_parameter(get_parameter_reference(np, internal_np::distances_dataset), std::string());
+  options.skip_invalid = choose_parameter(get_parameter(np, internal_np::skip_invalid), false);
+  options.largest_magnitude = largest_magnitude_of<FT>();
+  return options;
+}
+
+// runs `read()`, which returns what went wrong, and adds that memory may be short
+template <class Read>
+std::string read_in_memory(const std::string& filename, const Read& read)
+{
+  try
+  {
+    return read();
+  }
+  catch(const std::bad_alloc&)
+  {
+    return filename + ": there is not enough memory for its points";
+  }
+  catch(const std::length_error&)
+  {
+    return filename + ": there is not enough memory for its points";
+  }
 }
 
 // `distances_filename` may be null
@@ -117,35 +102,22 @@ bool read_distance_cloud_of_files(const std::string& filename, const std::string
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
 
-  Cloud_reader_options options;
-  options.distance_property = get_distance_property(np);
-  options.skip_invalid = choose_parameter(get_parameter(np, internal_np::skip_invalid), false);
-  options.largest_magnitude = largest_magnitude_of<FT>();
-
-  std::string error;
+  Cloud_reader_options options = get_cloud_reader_options<FT>(np);
   std::size_t number_of_skipped = 0;
   std::vector<std::pair<Point, FT>> result;
-  try
+  Separate_distances distances;
+  const std::string error = read_in_memory(filename, [&]
   {
-    Separate_distances distances;
     if(distances_filename != nullptr)
     {
-      std::ifstream stream;
+      const std::string distances_error = read_distances_file(*distances_filename, options, distances);
+      if(!distances_error.empty())
+        return distances_error;
       options.distances = &distances;
-      if(open_input_file(*distances_filename, stream, error))
-        read_separate_distances(stream, *distances_filename, distances, error);
     }
-    if(error.empty())
-      error = read_cloud(filename, options, result, number_of_skipped);
-  }
-  catch(const std::bad_alloc&)
-  {
-    error = filename + ": there is not enough memory for its points";
-  }
-  catch(const std::length_error&)
-  {
-    error = filename + ": there is not enough memory for its points";
-  }
+    Cloud_sink<Point, FT> sink = { result };
+    return read_cloud(filename, options, sink, number_of_skipped);
+  });
   if(error.empty())
     cloud.swap(result);
 
@@ -170,6 +142,22 @@ bool read_distance_cloud_of_files(const std::string& filename, const std::string
 ///   first point (which may be a comment) says otherwise. Comments start with `#` or `//`; a first line that
 ///   holds only the number of points is checked against it. Every line must have as many columns as the
 ///   first.
+/// - `.pcd`: ascii or binary, not compressed, with the fields `x`, `y`, `z` and one for the distance.
+/// - `.npy`: an array of floating point numbers or integers with four columns, the last of which is the distance.
+/// - `.npz`: the arrays `points` (N x 3) and `distances` (N). What `numpy.savez_compressed()` writes needs zlib.
+/// - `.h5`, `.hdf5`: the same as data sets, with HDF5. Other data sets are not looked at.
+/// - `.off`, also with colours and normals: the vertices of a mesh. They have no distances: use the other overload.
+///
+/// HDF5 files may hold patches, as files of the regressor DEF do: points B x N x 3, and distances B x N; or B
+/// rows of different lengths, of points (each 3 N numbers) and of distances. All patches are put one after the other,
+/// and where they overlap, points are there more than once: `read_distance_patches()` and
+/// `Wireframe_extraction::fuse_distance_patches()` merge them. So may the arrays of `.npy` and `.npz`.
+///
+/// HDF5 is there if the macro `CGAL_WIREFRAME_EXTRACTION_USE_HDF5` is defined, as the CMake target
+/// `CGAL::Wireframe_extraction_HDF5` does, and zlib with `CGAL_WIREFRAME_EXTRACTION_USE_ZLIB` and
+/// `CGAL::Wireframe_extraction_ZLIB`. The HDF5 library is only as safe in several threads as it was built to be, and
+/// its older versions (1.10 is one) can crash on files that were damaged on purpose; truncated ones are refused. What
+/// comes from strangers is better read as `.npz`.
 ///
 /// Decimals are written with a point whatever the locale. Coordinates and distances have to be finite and the
 /// distances not negative, else the file is refused, or the points left out with `skip_invalid()`.
@@ -181,7 +169,8 @@ bool read_distance_cloud_of_files(const std::string& filename, const std::string
 /// \param filename the name of the file
 /// \param cloud the points and their distances, in the order of the file. What it held before is replaced;
 ///   it is left as it was if reading fails.
-/// \param np an optional sequence of named parameters among the ones listed below
+/// \param np an optional sequence of named parameters among the ones listed below; what a format has no use for is
+///   passed over
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{distance_property}
@@ -190,6 +179,17 @@ bool read_distance_cloud_of_files(const std::string& filename, const std::string
 ///     \cgalParamDefault{the first that is there of `distance`, `distances`, `sharpness`, `scalar_distance`,
 ///                       `quality`}
 ///     \cgalParamExtra{A name that differs in case only is taken if there is no exact match.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{points_dataset}
+///     \cgalParamDescription{the name of the data set of HDF5, or the array of `.npz`, that holds the points}
+///     \cgalParamType{`std::string`}
+///     \cgalParamDefault{`points`}
+///     \cgalParamExtra{One within groups is named with its path, `group/points`.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{distances_dataset}
+///     \cgalParamDescription{the same for the distances}
+///     \cgalParamType{`std::string`}
+///     \cgalParamDefault{what `distance_property` says}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{skip_invalid}
 ///     \cgalParamDescription{whether points with a coordinate or distance that is not finite, or a negative
@@ -210,8 +210,8 @@ bool read_distance_cloud_of_files(const std::string& filename, const std::string
 /// \cgalNamedParamsEnd
 ///
 /// \return `true` if the cloud was read and has at least one point, else `false`: the file does not exist or
-///   cannot be read, its extension is unknown, it is malformed, truncated or empty, its distances are
-///   missing, or it has points that cannot be used and `skip_invalid` is `false`.
+///   cannot be read, its extension is unknown or needs a library that is not there, it is malformed, truncated or
+///   empty, its distances are missing, or it has points that cannot be used and `skip_invalid` is `false`.
 ///
 /// Reading takes time linear in the size of the file, and memory for the points that are there (whatever
 /// number a header promises).
@@ -226,9 +226,11 @@ bool read_distance_cloud(const std::string& filename, std::vector<std::pair<Poin
 /// reads a point cloud from one file and the distances of its points from another.
 ///
 /// The cloud may be in any format of the other overload, but only its coordinates are looked at: a text file
-/// needs three columns, a PLY file the properties `x`, `y` and `z`. The file of distances is text with one
-/// number per line, in the order of the points; blank lines, comments that start with `#` or `//`, and one
-/// line with a name at its top are allowed.
+/// needs three columns, a PLY or PCD file `x`, `y` and `z`, an array `.npy` three columns, and `.npz` and HDF5 files
+/// the points only. The file of distances has one number per point, in the order of the points. It is
+/// - an array in a file `.npy`, `.npz` or HDF5, or
+/// - whatever its extension otherwise is, text with one number per line; blank lines, comments that start with `#` or
+///   `//`, and one line with a name at its top are allowed.
 ///
 /// \tparam Point a type constructible from three `double` coordinates
 /// \tparam FT a number type constructible from `double`
@@ -238,8 +240,8 @@ bool read_distance_cloud(const std::string& filename, std::vector<std::pair<Poin
 /// \param distances_filename the name of the file of the distances
 /// \param cloud the points and their distances, in the order of the files. What it held before is replaced;
 ///   it is left as it was if reading fails.
-/// \param np an optional sequence of named parameters among `skip_invalid`, `number_of_skipped` and
-///   `error_message`, with the meaning they have for the other overload
+/// \param np an optional sequence of named parameters among `points_dataset`, `distances_dataset`, `skip_invalid`,
+///   `number_of_skipped` and `error_message`, with the meaning they have for the other overload
 ///
 /// \return `true` if the cloud was read and has at least one point, else `false`: for the reasons of the
 ///   other overload, or because the two files differ in their number of points.

@@ -15,6 +15,7 @@
 #include <CGAL/Wireframe_extraction/IO/internal/Chunked_input.h>
 #include <CGAL/Wireframe_extraction/IO/internal/Ply_header.h>
 #include <CGAL/Wireframe_extraction/IO/internal/Sample_filter.h>
+#include <CGAL/Wireframe_extraction/IO/internal/byte_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/text_tools.h>
 
 #include <CGAL/config.h>
@@ -23,7 +24,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <istream>
 #include <limits>
 #include <string>
@@ -33,18 +33,6 @@
 namespace CGAL {
 namespace IO {
 namespace internal {
-
-template <class Number>
-Number load_as(const char* bytes, bool is_swapped)
-{
-  char ordered[sizeof(Number)];
-  std::memcpy(ordered, bytes, sizeof(Number));
-  if(is_swapped)
-    std::reverse(ordered, ordered + sizeof(Number));
-  Number number;
-  std::memcpy(&number, ordered, sizeof(Number));
-  return number;
-}
 
 inline double load_number(Ply_type type, const char* bytes, bool is_swapped)
 {
@@ -140,14 +128,6 @@ private:
   }
 
   bool is_binary() const { return header_.format != Ply_format::ASCII; }
-
-  static bool is_host_little_endian()
-  {
-    const std::uint16_t one = 1;
-    char first_byte;
-    std::memcpy(&first_byte, &one, 1);
-    return first_byte == 1;
-  }
 
   bool find_wanted_properties()
   {

@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -27,7 +28,10 @@ namespace internal {
 // one point of a cloud as it stands in a file
 struct Distance_sample
 {
+  static constexpr std::uint64_t no_index = (std::numeric_limits<std::uint64_t>::max)();
+
   double x, y, z, distance;
+  std::uint64_t index = no_index;  // in the cloud that a patch is a part of
 };
 
 // the distances of a cloud that come from a file of their own
@@ -35,12 +39,16 @@ struct Separate_distances
 {
   std::string filename;
   std::vector<double> values;
-  std::size_t first_bad_line = 0;  // line of the first value that is not finite or negative
+  std::size_t first_bad_line = 0;  // of text: line of the first value that is not finite or negative
 };
 
 struct Cloud_reader_options
 {
   std::string distance_property;                  // empty: the first known one
+  std::string points_dataset;                     // empty: the usual one
+  std::string distances_dataset;                  // empty: the distance property
+  std::string indices_dataset;                    // empty: the first known one, if there is one
+  bool reads_indices = false;
   bool skip_invalid = false;
   double largest_magnitude = (std::numeric_limits<double>::max)();  // what the number type can hold
   const Separate_distances* distances = nullptr;  // if set, the cloud's own distances are not looked at
@@ -155,8 +163,10 @@ private:
       {
         what = "its distance is " + number_to_string(sample.distance);
         if(options_.distances != nullptr)
-          what += " (" + options_.distances->filename + ":"
-                  + std::to_string(options_.distances->first_bad_line) + ")";
+        {
+          const std::size_t bad_line = options_.distances->first_bad_line;
+          what += " (" + options_.distances->filename + (bad_line > 0 ? ":" + std::to_string(bad_line) : "") + ")";
+        }
       }
     }
     if(is_first)

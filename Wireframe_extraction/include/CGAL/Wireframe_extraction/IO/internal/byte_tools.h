@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_BYTE_TOOLS_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_BYTE_TOOLS_H
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -20,6 +21,56 @@
 namespace CGAL {
 namespace IO {
 namespace internal {
+
+inline bool is_host_little_endian()
+{
+  const std::uint16_t one = 1;
+  char first_byte;
+  std::memcpy(&first_byte, &one, 1);
+  return first_byte == 1;
+}
+
+template <class Number>
+Number load_as(const char* bytes, bool is_swapped)
+{
+  char ordered[sizeof(Number)];
+  std::memcpy(ordered, bytes, sizeof(Number));
+  if(is_swapped)
+    std::reverse(ordered, ordered + sizeof(Number));
+  Number number;
+  std::memcpy(&number, ordered, sizeof(Number));
+  return number;
+}
+
+template <class Number>
+Number load_little_endian(const char* bytes)
+{
+  return load_as<Number>(bytes, !is_host_little_endian());
+}
+
+// A number of a kind, 'f' (floating point), 'i' (integer) or 'u' (natural number), and a size in bytes, as
+// several formats name their types.
+inline bool is_number_type(char kind, std::size_t size)
+{
+  return kind == 'f' ? size == 4 || size == 8
+                     : (kind == 'i' || kind == 'u') && (size == 1 || size == 2 || size == 4 || size == 8);
+}
+
+inline double load_number(char kind, std::size_t size, const char* bytes, bool is_swapped)
+{
+  if(kind == 'f')
+    return size == 4 ? load_as<float>(bytes, is_swapped) : load_as<double>(bytes, is_swapped);
+  const bool is_signed = (kind == 'i');
+  switch(size)
+  {
+  case 1: return is_signed ? load_as<std::int8_t>(bytes, is_swapped) : load_as<std::uint8_t>(bytes, is_swapped);
+  case 2: return is_signed ? load_as<std::int16_t>(bytes, is_swapped) : load_as<std::uint16_t>(bytes, is_swapped);
+  case 4: return is_signed ? static_cast<double>(load_as<std::int32_t>(bytes, is_swapped))
+                           : static_cast<double>(load_as<std::uint32_t>(bytes, is_swapped));
+  default: return is_signed ? static_cast<double>(load_as<std::int64_t>(bytes, is_swapped))
+                            : static_cast<double>(load_as<std::uint64_t>(bytes, is_swapped));
+  }
+}
 
 // least significant byte first, whatever the machine
 template <class Unsigned>

@@ -1,0 +1,208 @@
+#!/usr/bin/env python3
+"""Tests that the tool extract_wireframe reads clouds as NumPy and, if it is there, h5py write them.
+
+usage: test_wireframe_numpy.py EXTRACT_WIREFRAME MAKE_CLOUD [options of unittest]
+"""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy
+
+try:
+    import h5py
+except ImportError:
+    h5py = None
+
+TOOL = MAKE_CLOUD = None
+TIME_LIMIT = 280
+WITH_HDF5 = os.environ.get("EXTRACT_WIREFRAME_WITH_HDF5") == "1"   # whether the tool is built with these
+WITH_ZLIB = os.environ.get("EXTRACT_WIREFRAME_WITH_ZLIB") == "1"
+USAGE_ERROR, BAD_INPUT = 2, 3
+
+
+def read_cloud(path):
+    """The array N x 4 of points and distances of a file of make_cloud."""
+    data = pathlib.Path(path).read_bytes()
+    end = data.index(b"end_header\n") + len(b"end_header\n")
+    letters = {"double": "<f8", "float": "<f4"}
+    lines = [line.split() for line in data[:end].decode().splitlines()]
+    layout = numpy.dtype([(line[2], letters[line[1]]) for line in lines if line[0] == "property"])
+    rows = numpy.frombuffer(data, layout, offset=end)
+    return numpy.stack([rows[name].astype(float) for name in ("x", "y", "z", "distance")], axis=1)
+
+
+class Numpy_test(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.shared = pathlib.Path(tempfile.mkdtemp(prefix="wireframe_numpy_"))
+        subprocess.run([MAKE_CLOUD, "box", "--points", "5000", "-o", cls.shared / "box.ply"], check=True,
+                       stdout=subprocess.DEVNULL, timeout=TIME_LIMIT)
+        cls.cloud = read_cloud(cls.shared / "box.ply")
+        cls.points, cls.distances = cls.cloud[:, :3], cls.cloud[:, 3]
+        # the order in which points come out of a fusion by positions
+        cls.order = numpy.lexsort(cls.points.T[::-1])
+        cls.expected = cls.run_tool(cls.shared, "box.ply", "-o", "box.json")
+        assert cls.expected.returncode == 0, cls.expected.stderr
+        cls.expected = json.loads((cls.shared / "box.json").read_text())
+        numpy.save(cls.shared / "sorted.npy", cls.cloud[cls.order])
+        done = cls.run_tool(cls.shared, "sorted.npy", "-o", "sorted.json")
+        assert done.returncode == 0, done.stderr
+        cls.expected_sorted = json.loads((cls.shared / "sorted.json").read_text())
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.shared)
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="case_", dir=self.shared))
+
+    @staticmethod
+    def run_tool(folder, *arguments):
+        return subprocess.run([TOOL, *map(str, arguments)], cwd=folder, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8", timeout=TIME_LIMIT)
+
+    def check(self, *arguments, expected=None):
+        """The tool finds the wireframe of the box; returns what it said."""
+        done = self.run_tool(self.folder, *arguments, "-o", "out.json")
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.args)
+        self.assertEqual(json.loads((self.folder / "out.json").read_text()), expected or self.expected)
+        return done.stdout
+
+    def refuse(self, exit_code, words, *arguments):
+        done = self.run_tool(self.folder, *arguments, "-o", "none.json")
+        self.assertEqual(done.returncode, exit_code, (done.args, done.stderr))
+        self.assertRegex(done.stderr, r"\Aextract_wireframe: error: [^\n]+\n\Z")
+        for word in words:
+            self.assertIn(word, done.stderr)
+        self.assertFalse((self.folder / "none.json").exists())
+
+    def test_npy(self):
+        for number, array in enumerate((self.cloud, self.cloud.astype(">f8"), self.cloud.astype("<f4"),
+                                        numpy.asfortranarray(self.cloud.astype(">f4")))):
+            numpy.save(self.folder / f"{number}.npy", array)
+            self.check(f"{number}.npy")
+        numpy.save(self.folder / "points.npy", self.points)
+        numpy.save(self.folder / "distances.npy", self.distances)
+        self.check("points.npy", "--distances", "distances.npy")
+        self.refuse(BAD_INPUT, ["points.npy", "no distances"], "points.npy")
+        numpy.save(self.folder / "objects.npy", numpy.array([[1, "a", None]], dtype=object))
+        self.refuse(BAD_INPUT, ["objects.npy", "Python objects"], "objects.npy")
+        numpy.save(self.folder / "half.npy", self.cloud.astype("f2"))
+        self.refuse(BAD_INPUT, ["half.npy", "\"<f2\"", "float64"], "half.npy")
+
+    def test_npz(self):
+        numpy.savez(self.folder / "a.npz", points=self.points, distances=self.distances, has_sharp=True)
+        self.check("a.npz")
+        numpy.savez(self.folder / "b.npz", xyz=self.points.reshape(10, -1, 3), d=self.distances.reshape(10, -1))
+        self.check("b.npz", "--points-dataset", "xyz", "--distances-dataset", "d")
+        self.refuse(BAD_INPUT, ["b.npz", "xyz, d", "--points-dataset"], "b.npz")
+        self.refuse(BAD_INPUT, ["b.npz", "sharpness", "--distances-dataset"], "b.npz", "--points-dataset", "xyz")
+        numpy.savez_compressed(self.folder / "c.npz", points=self.points, distances=self.distances)
+        if WITH_ZLIB:
+            self.check("c.npz")
+        else:
+            self.refuse(BAD_INPUT, ["c.npz", "zlib1g-dev"], "c.npz")
+
+    def test_other_formats(self):
+        rows = self.cloud.astype("<f8").tobytes()
+        header = ("VERSION 0.7\nFIELDS x y z sharpness\nSIZE 8 8 8 8\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 5000\nHEIGHT 1\n"
+                  "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 5000\nDATA binary\n")
+        (self.folder / "cloud.pcd").write_bytes(header.encode() + rows)
+        self.check("cloud.pcd")
+        self.check("cloud.pcd", "--distance-property", "sharpness")
+        self.refuse(BAD_INPUT, ["cloud.pcd", "\"own\"", "x, y, z, sharpness"], "cloud.pcd", "--distance-property", "own")
+        (self.folder / "cut.pcd").write_bytes(header.encode() + rows[:-1])
+        self.refuse(BAD_INPUT, ["cut.pcd", "5000 points", "truncated"], "cut.pcd")
+        lines = "".join(" ".join(map(repr, row)) + "\n" for row in self.points.tolist())
+        (self.folder / "mesh.off").write_text("OFF\n5000 1 0\n" + lines + "3 0 1 2\n")
+        numpy.savez(self.folder / "d.npz", prediction=self.distances)
+        self.check("mesh.off", "--distances", "d.npz", "--distances-dataset", "prediction")
+        self.refuse(BAD_INPUT, ["mesh.off", "no distances"], "mesh.off")
+        self.refuse(BAD_INPUT, ["d.npz", "prediction", "--distances-dataset"], "mesh.off", "--distances", "d.npz")
+
+    def patches(self, count=6):
+        """Parts that overlap, as indices; and the distances of each, which are far near its borders."""
+        generator = numpy.random.default_rng(5)
+        parts = []
+        for i in range(count):
+            center = self.points[generator.integers(len(self.points))]
+            parts.append(numpy.argsort(numpy.linalg.norm(self.points - center, axis=1))[:1500])
+        parts.append(numpy.arange(len(self.points)))   # so that no point is missing
+        values = [self.distances[part].copy() for part in parts]
+        for value in values[:-1]:
+            value[1200:] = 1
+        return parts, values
+
+    def test_patches(self):
+        names, own_names = [], []
+        for i, (part, value) in enumerate(zip(*self.patches())):
+            numpy.savez(self.folder / f"{i}.npz", points=self.points[part], distances=value, indices=part)
+            numpy.savez(self.folder / f"own_{i}.npz", points=self.points[part], distances=value, own=part)
+            names.append(f"{i}.npz")
+            own_names.append(f"own_{i}.npz")
+        said = self.check("--patches", *names)
+        self.assertIn("14000 points, which were fused to 5000", said)
+        self.check(*reversed(names), "--patches", "--fuse", "minimum")
+        self.check("--patches", *own_names, "--indices-dataset", "own")
+        self.check("--patches", *own_names, expected=self.expected_sorted)
+        self.check(*reversed(names), "--patches", "--use-indices", "false", expected=self.expected_sorted)
+        self.refuse(BAD_INPUT, ["own_0.npz", "\"none\"", "points, distances, own", "--indices-dataset"],
+                    "--patches", *own_names, "--indices-dataset", "none")
+        numpy.savez(self.folder / "local.npz", points=self.points[::-1], distances=self.distances,
+                    indices=numpy.arange(len(self.points)))
+        self.refuse(BAD_INPUT, ["0.npz", "whole cloud", "--indices-dataset", "--use-indices"],
+                    "--patches", names[0], "local.npz")
+        self.refuse(USAGE_ERROR, ["1.npz", "--patches"], "0.npz", "1.npz")
+        self.refuse(USAGE_ERROR, ["--patches", "--distances"], "0.npz", "--patches", "--distances", "1.npz")
+        self.refuse(USAGE_ERROR, ["mean", "minimum|median"], "0.npz", "--patches", "--fuse", "mean")
+        self.refuse(USAGE_ERROR, ["1.txt", "same file"], "--patches", "0.npz", "./1.txt", "-o", "1.txt")
+
+    def test_median(self):
+        """One patch that is wrong is outvoted; the minimum believes it."""
+        for i in range(3):
+            value = self.distances.copy()
+            if i == 1:
+                value[:2500] = 0
+            numpy.savez(self.folder / f"{i}.npz", points=self.points, distances=value, indices=numpy.arange(5000))
+        self.check("--patches", "0.npz", "1.npz", "2.npz", "--fuse", "median")
+        done = self.run_tool(self.folder, "--patches", "0.npz", "1.npz", "2.npz", "-o", "minimum.json")
+        if done.returncode == 0:
+            self.assertNotEqual(json.loads((self.folder / "minimum.json").read_text()), self.expected)
+
+    @unittest.skipUnless(h5py and WITH_HDF5, "there is no h5py, or the tool is built without HDF5")
+    def test_hdf5(self):
+        for number, options in enumerate(({}, {"compression": "gzip"}, {"compression": "gzip", "shuffle": True})):
+            with h5py.File(self.folder / f"{number}.h5", "w") as file:
+                file.create_dataset("points", data=self.points.reshape(10, -1, 3), **options)
+                file.create_dataset("distances", data=self.distances.reshape(10, -1), **options)
+                file["item_id"] = "box"
+            self.check(f"{number}.h5")
+        parts, values = self.patches()
+        with h5py.File(self.folder / "rows.hdf5", "w") as file:
+            for name, kind, rows in (("points", "f8", [self.points[part].ravel() for part in parts]),
+                                     ("distances", "f8", values), ("indexes_in_whole", "i4", parts)):
+                dataset = file.create_dataset(name, len(rows), dtype=h5py.vlen_dtype(kind))
+                for i, row in enumerate(rows):
+                    dataset[i] = row
+        self.check("--patches", "rows.hdf5")
+        self.refuse(BAD_INPUT, ["rows.hdf5", "indexes_in_whole (7)", "--points-dataset"], "rows.hdf5",
+                    "--points-dataset", "vertices")
+
+    @unittest.skipIf(WITH_HDF5, "the tool is built with HDF5")
+    def test_without_hdf5(self):
+        (self.folder / "cloud.h5").write_bytes(b"anything")
+        self.refuse(BAD_INPUT, ["cloud.h5", "libhdf5-dev"], "cloud.h5")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    TOOL, MAKE_CLOUD = (str(pathlib.Path(name).resolve()) for name in sys.argv[1:3])
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
