@@ -207,9 +207,9 @@ class Tool_test(unittest.TestCase):
         step, iges, brep = (self.read_text(name) for name in ("a.step", "a.iges", "a.brep"))
         self.assertIn("AUTOMOTIVE_DESIGN", step)
         self.assertIn("LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.)", step)
-        self.assertEqual(step.count("= B_SPLINE_CURVE_WITH_KNOTS("), 12)
+        self.assertEqual((step.count("= LINE("), step.count("B_SPLINE_CURVE")), (12, 0))
         self.assertIn("2HMM", iges)
-        self.assertEqual(len(re.findall(r"(?m)^     126 .*D *\d*[13579]$", iges)), 12)
+        self.assertEqual(len(re.findall(r"(?m)^     110 .*D *\d*[13579]$", iges)), 12)
         self.assertRegex(brep, r"(?m)^Curves 12$")
         self.assertEqual((self.read_text("a.stp"), self.read_text("A.STEP")), (step, step))
         self.assertEqual(self.read_text("a.igs"), iges)
@@ -227,6 +227,23 @@ class Tool_test(unittest.TestCase):
             found = {tuple(map(float, point)) for point in points}
             for vertex in self.read_json("b.json")["vertices"]:
                 self.assertLess(min(math.dist(vertex, point) for point in found), 1e-12)
+
+    @unittest.skipUnless(WITH_CAD, "built without OpenCASCADE")
+    def test_curve_types_in_step(self):
+        expected = {"slotted_plate": {"LINE": 16, "CIRCLE": 4}, "flange": {"CIRCLE": 16},
+                    "elliptic_cut": {"CIRCLE": 1, "ELLIPSE": 1}}
+        for shape, counts in expected.items():
+            with self.subTest(shape), self.quiet_about_leaks():
+                cloud = self.folder / (shape + ".ply")
+                subprocess.run([MAKE_CLOUD, shape, "--points", "20000", "-o", str(cloud)], check=True, timeout=300,
+                               stdout=subprocess.DEVNULL)
+                self.extract(cloud, "-o", "typed.step", "-o", "typed.json")
+                step = self.read_text("typed.step")
+                for kind in ("LINE", "CIRCLE", "ELLIPSE", "B_SPLINE_CURVE_WITH_KNOTS"):
+                    self.assertEqual(step.count(f"= {kind}("), counts.get(kind, 0), kind)
+                self.extract(cloud, "-o", "splines.json", "--splines-only")
+                curves = self.read_json("splines.json")["curves"]
+                self.assertEqual({curve["type"] for curve in curves}, {"bspline"})
 
     @unittest.skipUnless(WITH_CAD and os.path.exists("/dev/full"), "built without OpenCASCADE")
     def test_cad_formats_on_a_full_disk(self):
@@ -252,7 +269,7 @@ class Tool_test(unittest.TestCase):
         self.assertEqual(self.files(), sorted(names))
         content = {name: (self.folder / name).read_bytes() for name in names}
         dxf = content["a.dxf"].decode().split("\n")
-        self.assertEqual(dxf.count("SPLINE"), 12)
+        self.assertEqual((dxf.count("LINE"), dxf.count("SPLINE")), (12, 0))
         self.assertEqual(dxf[dxf.index("$INSUNITS") + 2], "1")
         self.assertIn(b'NumberOfLines="12"', content["a.vtp"])
         gltf = json.loads(content["a.gltf"])
