@@ -81,16 +81,19 @@ public:
 // Fits a line, a circle or an ellipse to stations, by robust least squares over its parameters.
 class Primitive_fit
 {
-  typedef Eigen::Matrix<double, Primitive_curve::most_parameters, 1> Parameters;
+  // Of dynamic size, though bounded: unrolled loops over eight parameters take long to compile, and gain nothing here.
+  static constexpr int most = Primitive_curve::most_parameters;
+  typedef Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1> Parameters;
 
   static constexpr double least_radius = 0.5 * Curve_stations::spacing;
 
 public:
-  typedef Eigen::Matrix<double, Primitive_curve::most_parameters, Primitive_curve::most_parameters> Covariance;
+  typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Primitive_curve::most_parameters,
+                        Primitive_curve::most_parameters> Covariance;
 
   Primitive_curve curve;
   Misfit misfit;
-  Covariance covariance = Covariance::Zero();   // of the steps that Primitive_curve::moved() takes
+  Covariance covariance;    // of the steps that Primitive_curve::moved() takes
   bool is_valid = false;
 
   Primitive_fit(Primitive_kind kind, const Station_range& stations)
@@ -172,7 +175,7 @@ private:
     return true;
   }
 
-  // the direct ellipse of Halir and Flusser (1998)
+  // the direct ellipse of Fitzgibbon, Pilu and Fisher (1999), by the stable elimination of Halir and Flusser (1998)
   bool start_ellipse(const std::vector<Eigen::Vector2d>& points, double scale)
   {
     Eigen::Matrix3d s1 = Eigen::Matrix3d::Zero(), s2 = s1, s3 = s1;
@@ -183,36 +186,39 @@ private:
       s3 += linear * linear.transpose();
     }
     const Eigen::Matrix3d t = -s3.ldlt().solve(s2.transpose());
-    const Eigen::Matrix3d m = s1 + s2 * t;
-    Eigen::Matrix3d reduced;
-    reduced << 0.5 * m.row(2), -m.row(1), 0.5 * m.row(0);
-    if (!reduced.allFinite())
+    // The form q of an ellipse has 4 a c - b^2 > 0. Among those with the value 1, the best one belongs to the only positive
+    // eigenvalue of this form relative to the squared algebraic residuals, which exact points make singular.
+    Eigen::Matrix3d m = s1 + s2 * t, constraint;
+    m += 1e-12 * s1.trace() * Eigen::Matrix3d::Identity();
+    constraint << 0., 0., 2., 0., -1., 0., 2., 0., 0.;
+    const Eigen::LLT<Eigen::Matrix3d> root(m);
+    if (root.info() != Eigen::Success || !t.allFinite())
       return false;
-    const Eigen::EigenSolver<Eigen::Matrix3d> solver(reduced);
-    for (int k = 0; k < 3; ++k) {
-      const Vector q = solver.eigenvectors().col(k).real();
-      if (4. * q[0] * q[2] - q[1] * q[1] > 0. && std::abs(solver.eigenvalues()[k].imag()) < 1e-12)
-        return set_ellipse(q, t * q, scale);
-    }
-    return false;
+    const Eigen::Matrix3d lower = root.matrixL();
+    const Eigen::Matrix3d inverse = lower.inverse();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inverse * constraint * inverse.transpose());
+    const Vector quadratic = (inverse.transpose() * solver.eigenvectors().col(2)).normalized();
+    return set_ellipse(quadratic, t * quadratic, scale);
   }
 
   // from a x^2 + b x y + c y^2 + d x + e y + f = 0
   bool set_ellipse(const Vector& quadratic, const Vector& linear, double scale)
   {
-    Eigen::Matrix2d form;
-    form << quadratic[0], 0.5 * quadratic[1], 0.5 * quadratic[1], quadratic[2];
-    const Eigen::Vector2d center = -0.5 * form.ldlt().solve(linear.head<2>());
-    const double level = -(linear[2] + 0.5 * linear.head<2>().dot(center));
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(form * (level > 0. ? 1. : -1.));
-    const double least = solver.eigenvalues()[0], most = solver.eigenvalues()[1];
-    if (!(least > 0.) || !(std::abs(level) > 0.) || !std::isfinite(most))
+    const double a = quadratic[0], b = 0.5 * quadratic[1], c = quadratic[2], determinant = a * c - b * b;
+    const Eigen::Vector2d center = Eigen::Vector2d(b * linear[1] - c * linear[0], b * linear[0] - a * linear[1])
+      / (2. * determinant);
+    const double level = -(linear[2] + 0.5 * (linear[0] * center.x() + linear[1] * center.y()));
+    const double mean = 0.5 * (a + c), difference = std::hypot(0.5 * (a - c), b);
+    const double one = level / (mean - difference), two = level / (mean + difference);   // squares of the radii
+    if (!(determinant > 0.) || !(one > 0.) || !(two > 0.) || !std::isfinite(one) || !std::isfinite(two))
       return false;
     place(center, scale);
-    const Eigen::Vector2d x = solver.eigenvectors().col(0);
-    curve.major = x[0] * curve.major + x[1] * curve.minor();
-    curve.major_radius = scale * std::sqrt(std::abs(level) / least);
-    curve.minor_radius = scale * std::sqrt(std::abs(level) / most);
+    // the form is least along the major axis
+    const bool is_positive = mean > 0.;
+    const double angle = 0.5 * std::atan2(b, 0.5 * (a - c)) + (is_positive ? 0.5 * CGAL_PI : 0.);
+    curve.major = std::cos(angle) * curve.major + std::sin(angle) * curve.minor();
+    curve.major_radius = scale * std::sqrt((std::max)(one, two));
+    curve.minor_radius = scale * std::sqrt((std::min)(one, two));
     return true;
   }
 
@@ -232,8 +238,8 @@ private:
       Parameters gradient;
       linearize(stations, matrix, gradient);
       Covariance damped = matrix;
-      for (int i = 0; i < Primitive_curve::most_parameters; ++i)
-        damped(i, i) = i < n ? damped(i, i) * (1. + damping) + 1e-12 * matrix.trace() : 1.;
+      for (int i = 0; i < n; ++i)
+        damped(i, i) += damping * damped(i, i) + 1e-12 * matrix.trace();
       const Parameters step = -damped.ldlt().solve(gradient);
       const Primitive_curve candidate = curve.moved(step.data());
       const Misfit next = candidate.is_finite() ? misfit_of(candidate, stations) : Misfit();
@@ -260,29 +266,31 @@ private:
   void linearize(const Station_range& stations, Covariance& matrix, Parameters& gradient) const
   {
     const int n = curve.number_of_parameters();
-    matrix.setZero();
-    gradient.setZero();
-    std::array<Primitive_curve, Primitive_curve::most_parameters> ahead, behind;
+    matrix = Covariance::Zero(n, n);
+    gradient = Parameters::Zero(n);
+    std::array<Primitive_curve, most> ahead, behind;
     constexpr double h = 1e-5;
     for (int i = 0; i < n; ++i) {
-      Parameters step = Parameters::Zero();
+      Parameters step = Parameters::Zero(n);
       step[i] = h;
       ahead[i] = curve.moved(step.data());
       step[i] = -h;
       behind[i] = curve.moved(step.data());
     }
-    Eigen::Matrix<double, 3, Primitive_curve::most_parameters> jacobian;
-    jacobian.setZero();
+    Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, most> jacobian(3, n);
     for (std::size_t k = 0; k < stations.size(); ++k) {
       const Station& station = stations[k];
       const Vector residual = curve.foot(station.position) - station.position;
-      const Vector weighted = Misfit::weight(residual.dot(station.information * residual))
-        * (station.information * residual);
-      const double weight = Misfit::weight(residual.dot(station.information * residual));
+      const Vector pull = station.information * residual;
+      const double weight = Misfit::weight(residual.dot(pull));
       for (int i = 0; i < n; ++i)
         jacobian.col(i) = (ahead[i].foot(station.position) - behind[i].foot(station.position)) / (2. * h);
-      gradient += jacobian.transpose() * weighted;
-      matrix += weight * jacobian.transpose() * station.information * jacobian;
+      for (int i = 0; i < n; ++i) {
+        gradient[i] += weight * jacobian.col(i).dot(pull);
+        const Vector column = weight * station.information * jacobian.col(i);
+        for (int j = 0; j < n; ++j)
+          matrix(i, j) += column.dot(jacobian.col(j));
+      }
     }
   }
 
@@ -292,9 +300,7 @@ private:
     Covariance matrix;
     Parameters gradient;
     linearize(stations, matrix, gradient);
-    for (int i = n; i < Primitive_curve::most_parameters; ++i)
-      matrix(i, i) = 1.;
-    covariance = matrix.ldlt().solve(Covariance(Covariance::Identity()));
+    covariance = matrix.ldlt().solve(Covariance(Covariance::Identity(n, n)));
   }
 };
 
