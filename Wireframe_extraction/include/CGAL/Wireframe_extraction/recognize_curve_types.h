@@ -50,6 +50,14 @@ Untyped_curve untyped(const Wireframe_skeleton<GeomTraits>& skeleton, const Wire
   return result;
 }
 
+// Whether a closed curve passes smoothly through its vertex, at which it is alone: nothing but chance put the vertex there.
+inline bool passes_through_vertex(const Untyped_curve& curve, std::size_t degree, double smooth_angle)
+{
+  const std::vector<Vector>& p = curve.polyline;
+  const Vector start = p[1] - p[0], end = p[p.size() - 1] - p[p.size() - 2];
+  return curve.is_loop() && degree == 2 && start.dot(end) > std::cos(smooth_angle * CGAL_PI / 180.) * start.norm() * end.norm();
+}
+
 template <class GeomTraits>
 Wireframe<GeomTraits> recognize(const Wireframe_skeleton<GeomTraits>& skeleton, const Wireframe<GeomTraits>& wireframe,
                                 const Extraction_options& options)
@@ -60,13 +68,24 @@ Wireframe<GeomTraits> recognize(const Wireframe_skeleton<GeomTraits>& skeleton, 
   std::vector<Vector> vertices;
   for (const typename GeomTraits::Point_3& p : wireframe.vertices)
     vertices.push_back(skeleton.to_local(p));
+  std::vector<std::size_t> degrees(vertices.size(), 0);
+  for (const Untyped_curve& curve : curves)
+    if (!curve.is_closed_without_vertex())
+      for (const std::size_t v : curve.vertices)
+        ++degrees[v];
+  for (Untyped_curve& curve : curves)
+    if (!curve.is_closed_without_vertex() && passes_through_vertex(curve, degrees[curve.vertices[0]], options.smooth_angle))
+      curve.vertices = {{Untyped_curve::no_vertex, Untyped_curve::no_vertex}};
   const double noise = options.noise_level >= 0. ? (std::min)(1., options.noise_level)
     : skeleton.is_contracted() ? skeleton.contraction().noise : 0.1;
   Curve_type_recognizer recognizer(skeleton.band(), noise, options.support_distance, options.type_significance, vertices,
                                    curves);
   std::vector<Typed_piece> pieces = recognizer.run();
+  for (Typed_piece& piece : pieces)
+    if (!piece.is_primitive && piece.is_whole)
+      piece.vertices = {{wireframe.curves[piece.curve].source, wireframe.curves[piece.curve].target}};
 
-  // of the cuts that were tried, those that are left become vertices
+  // Of the cuts that were tried, those that are left become vertices; and those that closed curves passed by chance go.
   std::vector<std::size_t> new_index(recognizer.vertices().size(), Typed_piece::no_vertex);
   std::vector<Vector> kept;
   Wireframe<GeomTraits> result;
@@ -80,8 +99,14 @@ Wireframe<GeomTraits> recognize(const Wireframe_skeleton<GeomTraits>& skeleton, 
     }
     return new_index[v];
   };
+  std::vector<char> is_used(new_index.size(), 0);
+  for (const Typed_piece& piece : pieces)
+    for (const std::size_t v : piece.vertices)
+      if (v != Typed_piece::no_vertex)
+        is_used[v] = 1;
   for (std::size_t v = 0; v < wireframe.vertices.size(); ++v)
-    keep(v);
+    if (is_used[v] || degrees[v] == 0)
+      keep(v);
   for (Typed_piece& piece : pieces)
     for (std::size_t& v : piece.vertices)
       v = v == Typed_piece::no_vertex ? v : keep(v);
@@ -132,6 +157,11 @@ all their curves, and where a cut joins a line and an arc, or two arcs, their ta
     \cgalParamType{`double`}
     \cgalParamDefault{3}
   \cgalParamNEnd
+  \cgalParamNBegin{smooth_angle}
+    \cgalParamDescription{the largest angle at which a curve passes smoothly through a vertex, in degrees}
+    \cgalParamType{`double`}
+    \cgalParamDefault{20}
+  \cgalParamNEnd
   \cgalParamNBegin{noise_level}
     \cgalParamDescription{the standard deviation of the distances, in multiples of r}
     \cgalParamType{`double`}
@@ -140,7 +170,8 @@ all their curves, and where a cut joins a line and an arc, or two arcs, their ta
 \cgalNamedParamsEnd
 
 \return the wireframe with types, parameters and their uncertainties. Its vertices are those of `wireframe`, in their order,
-then those of the cuts.
+then those of the cuts. The vertex of a closed curve that passes smoothly through it, and is alone there, is left out if the
+curve becomes a circle or an ellipse, or is cut elsewhere.
 
 Complexity: O(n log n) for n points, besides the solution of the sparse normal equations. The number of places at which cuts
 are tried is bounded.

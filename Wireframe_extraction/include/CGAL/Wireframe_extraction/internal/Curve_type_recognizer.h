@@ -65,7 +65,7 @@ class Curve_type_recognizer
   static constexpr double most_tangent_angle = 15. * CGAL_PI / 180.;
   static constexpr double most_kink = 8. * CGAL_PI / 180.;   // and none is left where they do not become tangent
   // the tangent of a spline may change by that much from the cut to its first station
-  static constexpr double most_spline_turn = 60. * CGAL_PI / 180.;
+  static constexpr double most_spline_turn = 85. * CGAL_PI / 180.;
 
   struct Candidate
   {
@@ -194,7 +194,7 @@ private:
     }
     if (!network.edges.empty())
       network.run();
-    if (take_back(network, places))
+    if (take_back(network, places, edges))
       return false;
     m_vertices = network.vertices;
     write(network, edges, result);
@@ -261,7 +261,8 @@ private:
   }
 
   // Gives up what does not go together: tangencies first, then primitives. Returns whether there was such a thing.
-  bool take_back(Primitive_network_fit& network, const std::vector<Edge_of_piece>& places)
+  bool take_back(Primitive_network_fit& network, const std::vector<Edge_of_piece>& places,
+                 const std::vector<std::vector<std::size_t> >& edges)
   {
     bool is_changed = false;
     for (std::size_t k = 0; k < places.size(); ++k) {
@@ -276,7 +277,7 @@ private:
       else
         candidate.pieces[i].fit.reset();
     }
-    is_changed = is_changed || take_back_kinks(network, places);
+    is_changed = is_changed || take_back_kinks(network, edges);
     if (is_changed)
       for (std::size_t c = 0; c < m_candidates.size(); ++c)
         drop_cuts_between_splines(c);
@@ -284,24 +285,23 @@ private:
   }
 
   // Of two pieces that are no longer tangent where a smooth curve was cut, the shorter one is no primitive.
-  bool take_back_kinks(Primitive_network_fit& network, const std::vector<Edge_of_piece>& places)
+  bool take_back_kinks(Primitive_network_fit& network, const std::vector<std::vector<std::size_t> >& edges)
   {
     bool is_changed = false;
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      Candidate& candidate = m_candidates[places[k].curve];
-      std::vector<Curve_piece>& pieces = candidate.pieces;
-      const std::size_t i = places[k].piece, n = pieces.size(), before = (i + n - 1) % n;
-      if (!is_cut(candidate, i) || !pieces[i].fit || !pieces[before].fit)
-        continue;
-      const std::size_t previous = i > 0 ? k - 1 : k + n - 1;   // the pieces of a curve that are edges follow each other
-      if (previous >= places.size() || places[previous].curve != places[k].curve || places[previous].piece != before)
-        continue;
-      const Vector& place = network.vertices[candidate.vertices[i]];
-      const double sine = network.edges[k].curve(network.vertices).tangent(place)
-        .cross(network.edges[previous].curve(network.vertices).tangent(place)).norm();
-      if (sine > std::sin(most_kink)) {
-        pieces[pieces[i].size < pieces[before].size ? i : before].fit.reset();
-        is_changed = true;
+    for (std::size_t c = 0; c < m_candidates.size(); ++c) {
+      const Candidate& candidate = m_candidates[c];
+      std::vector<Curve_piece>& pieces = m_candidates[c].pieces;
+      for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const std::size_t before = (i + pieces.size() - 1) % pieces.size();
+        if (!is_cut(candidate, i) || !pieces[i].fit || !pieces[before].fit)
+          continue;
+        const Vector& place = network.vertices[candidate.vertices[i]];
+        const double sine = network.edges[edges[c][i]].curve(network.vertices).tangent(place)
+          .cross(network.edges[edges[c][before]].curve(network.vertices).tangent(place)).norm();
+        if (sine > std::sin(most_kink)) {
+          pieces[pieces[i].size < pieces[before].size ? i : before].fit.reset();
+          is_changed = true;
+        }
       }
     }
     return is_changed;
