@@ -271,6 +271,7 @@ private:
         .number_of_rounds(options.number_of_rounds)
         .recognize_types(options.recognize_types)
         .type_significance(options.type_significance)
+        .regularize(options.regularize)
         .skip_invalid(m_options.input.skip_invalid)
         .extraction_report(std::ref(m_report))
         .visitor(std::ref(visitor))

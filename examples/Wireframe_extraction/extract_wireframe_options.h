@@ -333,6 +333,10 @@ private:
       ->group(group);
     add_number("--type-significance", extraction.type_significance, 0., 1., false,
                "Share of true lines, circles and ellipses that may be taken for splines", group);
+    m_app.add_flag("--regularize", extraction.regularize,
+                   "Make radii equal, circles coaxial, and directions parallel or orthogonal, where the field agrees; "
+                   "what was changed is printed")
+      ->group(group);
   }
 
   void add_number(const std::string& name, double& value, double least, double most, bool is_least_allowed,

@@ -1,6 +1,7 @@
 // Lines, circles and ellipses: their geometry, the fits, the test that takes or refuses them, the cuts, and the common fit.
 
 #include <CGAL/Wireframe_extraction/internal/Curve_cutter.h>
+#include <CGAL/Wireframe_extraction/internal/Curve_regularities.h>
 #include <CGAL/Wireframe_extraction/internal/Curve_type_recognizer.h>
 #include <CGAL/Wireframe_extraction/internal/Primitive_curve.h>
 #include <CGAL/Wireframe_extraction/internal/Primitive_fit.h>
@@ -312,6 +313,76 @@ void test_elliptic_arc()
   }
 }
 
+std::size_t count(const std::vector<Regularity>& regularities, Regularity_kind kind)
+{
+  return std::size_t(std::count_if(regularities.begin(), regularities.end(),
+                                   [kind](const Regularity& regularity) { return regularity.kind == kind; }));
+}
+
+// Three pairs of circles on axes that are nearly parallel, and a line that is nearly orthogonal to them.
+std::vector<Measured_curve> nearly_regular(double error, double deviation)
+{
+  std::vector<Measured_curve> curves;
+  for (int i = 0; i < 6; ++i) {
+    Measured_curve circle;
+    circle.curve.kind = Primitive_kind::CIRCLE;
+    circle.curve.center = Vector(30. * (i / 2), 0., 10. * (i % 2)) + error * random_direction();
+    circle.curve.axis = (Vector::UnitZ() + 0.05 * error * random_direction()).normalized();
+    circle.curve.major = circle.curve.axis.unitOrthogonal();
+    circle.curve.major_radius = circle.curve.minor_radius = 6. + error * uniform(-1., 1.);
+    circle.position_deviation = circle.radius_deviation = deviation;
+    circle.direction_deviation = 0.1 * deviation;
+    curves.push_back(circle);
+  }
+  Measured_curve line;
+  line.curve = Primitive_curve::line(Vector(0., 0., 20.), Vector(10., 0., 20. + 0.2 * error));
+  line.position_deviation = deviation;
+  line.direction_deviation = 0.1 * deviation;
+  curves.push_back(line);
+  return curves;
+}
+
+void test_regularities()
+{
+  for (int round = 0; round < 20; ++round) {
+    const std::vector<Measured_curve> curves = nearly_regular(0.03, 0.06);
+    const std::vector<Regularity> found = Regularity_finder(curves).run();
+    assert(count(found, Regularity_kind::EQUAL_RADII) == 5 && count(found, Regularity_kind::COAXIAL) == 3);
+    assert(count(found, Regularity_kind::PARALLEL) == 5 && count(found, Regularity_kind::ORTHOGONAL) == 1);
+    // what is certain and differs is not regular
+    std::vector<Measured_curve> different = nearly_regular(0., 0.001);
+    for (std::size_t i = 0; i < 6; ++i)
+      different[i].curve.major_radius += 0.1 * double(i);
+    different[6].curve.axis = Vector(1., 0., 0.1).normalized();
+    const std::vector<Regularity> fewer = Regularity_finder(different).run();
+    assert(count(fewer, Regularity_kind::EQUAL_RADII) == 0 && count(fewer, Regularity_kind::ORTHOGONAL) == 0);
+    assert(count(fewer, Regularity_kind::COAXIAL) == 3);
+
+    Primitive_network_fit network;
+    for (std::size_t i = 0; i < 6; ++i) {
+      Primitive_edge edge;
+      edge.kind = Primitive_kind::CIRCLE;
+      edge.points = {{curves[i].curve.at(0.), curves[i].curve.at(2.), curves[i].curve.at(4.)}};
+      edge.stations = stations_on(curves[i].curve, 0., 2. * pi, 24, 0.03);
+      network.edges.push_back(edge);
+    }
+    for (const Regularity& regularity : found)
+      if (regularity.curves[0] < 6 && regularity.curves[1] < 6)
+        network.regularities.push_back(regularity);
+    network.run();
+    std::vector<Primitive_curve> fitted;
+    for (Primitive_edge& edge : network.edges)
+      fitted.push_back(edge.curve(network.vertices));
+    for (std::size_t i = 0; i < 6; ++i) {
+      assert(std::abs(fitted[i].major_radius - fitted[0].major_radius) < 1e-8);
+      assert(fitted[i].axis.cross(fitted[0].axis).norm() < 1e-8);
+      const Vector offset = fitted[i ^ 1].center - fitted[i].center;
+      assert((offset - offset.dot(fitted[i].axis) * fitted[i].axis).norm() < 1e-8);
+      assert((fitted[i].center - curves[i].curve.center).norm() < 0.1);
+    }
+  }
+}
+
 } // namespace
 
 int main()
@@ -326,5 +397,6 @@ int main()
   test_splines_stay();
   test_common_fit();
   test_elliptic_arc();
+  test_regularities();
   return 0;
 }

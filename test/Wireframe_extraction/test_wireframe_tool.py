@@ -245,6 +245,22 @@ class Tool_test(unittest.TestCase):
                 curves = self.read_json("splines.json")["curves"]
                 self.assertEqual({curve["type"] for curve in curves}, {"bspline"})
 
+    def test_regularize(self):
+        cloud = self.folder / "flange.ply"
+        subprocess.run([MAKE_CLOUD, "flange", "--points", "20000", "-o", str(cloud)], check=True, timeout=300,
+                       stdout=subprocess.DEVNULL)
+        said = {}
+        for name, more in (("plain.json", []), ("regular.json", ["--regularize"])):
+            said[name] = self.extract(cloud, "-o", name, *more)
+            radii = sorted(curve["radii"][0] for curve in self.read_json(name)["curves"])
+            self.assertEqual(len(radii), 16)
+            holes = radii[:12]
+            self.assertLess(abs(holes[0] - 0.12), 1e-3)
+            self.assertEqual(holes[-1] - holes[0] < 1e-9, bool(more))
+        self.assertNotIn("Regular ", said["plain.json"])
+        for kind in ("equal radii", "coaxial", "parallel"):
+            self.assertRegex(said["regular.json"], rf"(?m)^Regular +{kind}: curves \d+, \d+")
+
     @unittest.skipUnless(WITH_CAD and os.path.exists("/dev/full"), "built without OpenCASCADE")
     def test_cad_formats_on_a_full_disk(self):
         shutil.copy(self.shared / "box.ply", self.folder / "box.ply")

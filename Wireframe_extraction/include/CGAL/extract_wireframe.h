@@ -386,7 +386,7 @@ extract_wireframe(const PointRange& points, const NamedParameters& np = CGAL::pa
   }
   visitor.curves_fitted(wireframe);
   if (options.recognize_types) {
-    if (!runner.run("types", 1., [&] { wireframe = WE::internal::recognize(skeleton, wireframe, options); }))
+    if (!runner.run("types", 1., [&] { wireframe = WE::internal::recognize(skeleton, wireframe, options, report.regularities); }))
       return give_up(Report::Status::CANCELLED);
     visitor.types_recognized(wireframe);
   }

@@ -43,6 +43,8 @@ struct Wireframe_extraction_report
   std::size_t number_of_free_ends = 0;        ///< vertices of the wireframe in which a single curve ends
   std::size_t number_of_clusters = 0;         ///< groups of points that curves start from
   std::size_t number_of_curves = 0;           ///< curves of the wireframe
+  std::vector<std::string> regularities;      ///< what `regularize` made equal, coaxial, parallel or orthogonal: a line
+                                              ///< for each group, with indices of curves
   double sampling_distance = 0.;              ///< in the cloud's unit
   double noise = 0.;                          ///< noise level of the field near curves, in the cloud's unit
   double root_mean_square = 0.;               ///< of the residuals of all curves, in the cloud's unit

@@ -13,6 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_RECOGNIZE_CURVE_TYPES_H
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/Curve_type_recognizer.h>
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
@@ -24,7 +25,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
+#include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -50,6 +55,34 @@ Untyped_curve untyped(const Wireframe_skeleton<GeomTraits>& skeleton, const Wire
   return result;
 }
 
+// one line for each kind and each curve that others agree with
+inline std::vector<std::string> texts(const std::vector<Regularity>& regularities)
+{
+  std::map<std::pair<Regularity_kind, std::size_t>, std::string> groups;
+  for (const Regularity& regularity : regularities) {
+    std::string& group = groups[{regularity.kind, regularity.curves[0]}];
+    group += (group.empty() ? std::to_string(regularity.curves[0]) + ", " : ", ") + std::to_string(regularity.curves[1]);
+  }
+  std::vector<std::string> result;
+  for (const auto& group : groups) {
+    const std::string first = std::to_string(group.first.second), list = group.second;
+    switch (group.first.first) {
+    case Regularity_kind::EQUAL_RADII:
+      result.push_back("equal radii: curves " + list);
+      break;
+    case Regularity_kind::COAXIAL:
+      result.push_back("coaxial: curves " + list);
+      break;
+    case Regularity_kind::PARALLEL:
+      result.push_back("parallel: curves " + list);
+      break;
+    case Regularity_kind::ORTHOGONAL:
+      result.push_back("orthogonal to curve " + first + ": curves " + list.substr(first.size() + 2));
+    }
+  }
+  return result;
+}
+
 // Whether a closed curve passes smoothly through its vertex, at which it is alone: nothing but chance put the vertex there.
 inline bool passes_through_vertex(const Untyped_curve& curve, std::size_t degree, double smooth_angle)
 {
@@ -60,7 +93,7 @@ inline bool passes_through_vertex(const Untyped_curve& curve, std::size_t degree
 
 template <class GeomTraits>
 Wireframe<GeomTraits> recognize(const Wireframe_skeleton<GeomTraits>& skeleton, const Wireframe<GeomTraits>& wireframe,
-                                const Extraction_options& options)
+                                const Extraction_options& options, std::vector<std::string>& regularities)
 {
   std::vector<Untyped_curve> curves;
   for (const Wireframe_curve<GeomTraits>& curve : wireframe.curves)
@@ -78,9 +111,10 @@ Wireframe<GeomTraits> recognize(const Wireframe_skeleton<GeomTraits>& skeleton, 
       curve.vertices = {{Untyped_curve::no_vertex, Untyped_curve::no_vertex}};
   const double noise = options.noise_level >= 0. ? (std::min)(1., options.noise_level)
     : skeleton.is_contracted() ? skeleton.contraction().noise : 0.1;
-  Curve_type_recognizer recognizer(skeleton.band(), noise, options.support_distance, options.type_significance, vertices,
-                                   curves);
+  Curve_type_recognizer recognizer(skeleton.band(), noise, options.support_distance, options.type_significance,
+                                   options.regularize, vertices, curves);
   std::vector<Typed_piece> pieces = recognizer.run();
+  regularities = texts(recognizer.regularities());
   for (Typed_piece& piece : pieces)
     if (!piece.is_primitive && piece.is_whole)
       piece.vertices = {{wireframe.curves[piece.curve].source, wireframe.curves[piece.curve].target}};
@@ -151,6 +185,18 @@ all their curves, and where a cut joins a line and an arc, or two arcs, their ta
     \cgalParamDefault{0.001}
     \cgalParamExtra{between 0 and 1}
   \cgalParamNEnd
+  \cgalParamNBegin{regularize}
+    \cgalParamDescription{whether radii that are equal as closely as they are known, circles on one axis, and directions that
+                          are parallel or orthogonal, become exactly so. Where a curve would then be less likely than
+                          `type_significance`, its regularities are given up}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{extraction_report}
+    \cgalParamDescription{a reference to what shall tell what was made regular: `std::ref(report)`}
+    \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
+    \cgalParamDefault{unused}
+  \cgalParamNEnd
   \cgalParamNBegin{support_distance}
     \cgalParamDescription{how far from the curves points may lie that count, in multiples of r; at most what
                           `select_skeleton()` kept}
@@ -181,7 +227,10 @@ Wireframe<GeomTraits> recognize_curve_types(const Wireframe_skeleton<GeomTraits>
                                             const Wireframe<GeomTraits>& wireframe,
                                             const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::recognize(skeleton, wireframe, internal::extraction_options(np));
+  Wireframe_extraction_report own_report;
+  Wireframe_extraction_report& report = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, internal_np::extraction_report), std::ref(own_report)).get();
+  return internal::recognize(skeleton, wireframe, internal::extraction_options(np), report.regularities);
 }
 
 } // namespace Wireframe_extraction

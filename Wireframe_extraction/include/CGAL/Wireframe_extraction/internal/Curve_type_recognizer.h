@@ -78,21 +78,24 @@ class Curve_type_recognizer
 
   const Field_band& m_band;
   const double m_noise, m_support_distance, m_significance;
+  const bool m_is_regularized;
   const std::vector<Untyped_curve>& m_curves;
   std::vector<std::vector<Curve_support> > m_support;
   std::vector<Candidate> m_candidates;
   std::vector<Vector> m_anchors, m_vertices;
+  std::vector<Regularity> m_regularities;   // of the pieces
 
   struct Edge_of_piece { std::size_t curve, piece; };
 
 public:
   Curve_type_recognizer(const Field_band& band, double noise, double support_distance, double significance,
-                        const std::vector<Vector>& vertices, const std::vector<Untyped_curve>& curves)
+                        bool is_regularized, const std::vector<Vector>& vertices, const std::vector<Untyped_curve>& curves)
     : m_band(band), m_noise(noise), m_support_distance(support_distance), m_significance(significance),
-      m_curves(curves), m_anchors(vertices), m_vertices(vertices)
+      m_is_regularized(is_regularized), m_curves(curves), m_anchors(vertices), m_vertices(vertices)
   {}
 
   const std::vector<Vector>& vertices() const { return m_vertices; }
+  const std::vector<Regularity>& regularities() const { return m_regularities; }
 
   std::vector<Typed_piece> run()
   {
@@ -167,10 +170,11 @@ private:
     return Station_range(candidate.stations, piece.first, piece.size);
   }
 
-  // the edges that vertices hold; a closed curve without any is not among them
+  // The edges that others hold: a closed curve without vertex is among them only if regularities may hold it.
   bool is_in_network(std::size_t c, std::size_t i) const
   {
-    return m_candidates[c].pieces[i].fit && m_candidates[c].vertices[i] != Untyped_curve::no_vertex;
+    return m_candidates[c].pieces[i].fit
+      && (m_is_regularized || m_candidates[c].vertices[i] != Untyped_curve::no_vertex);
   }
 
   // fits all primitives and writes the pieces; returns false if some do not go together with the others
@@ -196,9 +200,59 @@ private:
       network.run();
     if (take_back(network, places, edges))
       return false;
+    if (m_is_regularized)
+      regularize(network, places);
     m_vertices = network.vertices;
     write(network, edges, result);
     return true;
+  }
+
+  // Makes regular what the evidence allows: a curve that would contradict the field is left as it is.
+  void regularize(Primitive_network_fit& network, const std::vector<Edge_of_piece>& places)
+  {
+    std::vector<Measured_curve> curves;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      Typed_piece piece;
+      set_deviations(*m_candidates[places[k].curve].pieces[places[k].piece].fit, piece);
+      curves.push_back({network.edges[k].curve(network.vertices), piece.position_deviation, piece.direction_deviation,
+                        piece.major_radius_deviation});
+    }
+    const Primitive_network_fit kept = network;
+    std::vector<Regularity> regularities = Regularity_finder(curves).run();
+    while (!regularities.empty()) {
+      network = kept;
+      network.regularities = regularities;
+      network.run();
+      std::vector<char> is_contradicted(places.size(), 0);
+      for (std::size_t k = 0; k < places.size(); ++k)
+        is_contradicted[k] = !is_supported(network.edges[k].curve(network.vertices), network, network.edges[k],
+                                           m_candidates[places[k].curve], places[k].piece);
+      const auto first_bad = std::remove_if(regularities.begin(), regularities.end(), [&](const Regularity& regularity) {
+        return is_contradicted[regularity.curves[0]] || is_contradicted[regularity.curves[1]];
+      });
+      const bool is_done = std::find(is_contradicted.begin(), is_contradicted.end(), 1) == is_contradicted.end();
+      if (is_done || first_bad == regularities.end()) {
+        if (!is_done)
+          regularities.clear();
+        break;
+      }
+      regularities.erase(first_bad, regularities.end());
+    }
+    if (regularities.empty())
+      network = kept;
+    m_regularities = of_pieces(regularities, places);
+  }
+
+  // with indices of pieces in the order in which they are written, in place of those of edges
+  std::vector<Regularity> of_pieces(std::vector<Regularity> regularities, const std::vector<Edge_of_piece>& places) const
+  {
+    std::vector<std::size_t> first(1, 0);
+    for (const Candidate& candidate : m_candidates)
+      first.push_back(first.back() + candidate.pieces.size());
+    for (Regularity& regularity : regularities)
+      for (std::size_t& k : regularity.curves)
+        k = first[places[k].curve] + places[k].piece;
+    return regularities;
   }
 
   static Primitive_edge make_edge(const Candidate& candidate, std::size_t i)
@@ -212,7 +266,9 @@ private:
     Primitive_edge edge;
     edge.kind = curve.kind;
     edge.vertices = {{candidate.vertices[i], candidate.vertices[i + 1]}};
-    if (edge.kind == Primitive_kind::ELLIPSE)
+    if (edge.kind == Primitive_kind::CIRCLE && !edge.has_vertex())
+      edge.points = {{point(0.), point(1. / 3.), point(2. / 3.)}};
+    else if (edge.kind == Primitive_kind::ELLIPSE)
       edge.points = {{curve.center, curve.at(0.), curve.at(0.5 * CGAL_PI)}};
     else if (edge.is_loop())
       edge.points = {{point(1. / 3.), point(2. / 3.), Vector::Zero()}};
@@ -337,7 +393,7 @@ private:
     // further than from one station to the next but one, no vertex goes by itself
     constexpr double farthest = 2. * Curve_stations::spacing;
     for (const std::size_t v : edge.vertices)
-      if (!((network.vertices[v] - m_anchors[v]).norm() < farthest))
+      if (edge.has_vertex() && !((network.vertices[v] - m_anchors[v]).norm() < farthest))
         return false;
     if (!edge.is_loop() && !((network.vertices[edge.vertices[0]] - network.vertices[edge.vertices[1]]).norm() > 1e-3))
       return false;

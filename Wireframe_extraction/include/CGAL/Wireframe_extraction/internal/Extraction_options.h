@@ -51,6 +51,7 @@ struct Extraction_options
   int number_of_rounds = 3;
   bool recognize_types = true;
   double type_significance = 0.001;
+  bool regularize = false;
 };
 
 template <class NamedParameters>
@@ -89,6 +90,7 @@ Extraction_options extraction_options(const NamedParameters& np)
   CGAL_WIREFRAME_READ(number_of_rounds);
   CGAL_WIREFRAME_READ(recognize_types);
   CGAL_WIREFRAME_READ_LENGTH(type_significance);
+  CGAL_WIREFRAME_READ(regularize);
 #undef CGAL_WIREFRAME_READ_LENGTH
 #undef CGAL_WIREFRAME_READ
   return options;

@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PRIMITIVE_NETWORK_FIT_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PRIMITIVE_NETWORK_FIT_H
 
+#include <CGAL/Wireframe_extraction/internal/Curve_regularities.h>
 #include <CGAL/Wireframe_extraction/internal/Primitive_fit.h>
 #include <CGAL/Wireframe_extraction/internal/ceres_support.h>
 
@@ -138,6 +139,7 @@ public:
   std::vector<Primitive_edge> edges;
   std::vector<Spline_end> spline_ends;
   std::vector<Tangency> tangencies;
+  std::vector<Regularity> regularities;     // of edges
 
   void run()
   {
@@ -195,6 +197,8 @@ private:
     std::vector<Constraint> result;
     for (const Tangency& tangency : tangencies)
       result.push_back(tangency_constraint(tangency));
+    for (const Regularity& regularity : regularities)
+      result.push_back(regularity_constraint(regularity));
     for (Primitive_edge& edge : edges)
       if (edge.kind == Primitive_kind::ELLIPSE && edge.has_vertex())
         for (std::size_t e = 0; e < (edge.is_loop() ? 1u : 2u); ++e)
@@ -216,6 +220,39 @@ private:
                     .cross(curve_of(second_kind, two, blocks).tangent(place)));
     };
     return result;
+  }
+
+  Constraint regularity_constraint(const Regularity& regularity)
+  {
+    Constraint result;
+    Primitive_edge &first = edges[regularity.curves[0]], &second = edges[regularity.curves[1]];
+    const std::vector<std::size_t> one = enter(first.blocks(vertices), result.blocks);
+    const std::vector<std::size_t> two = enter(second.blocks(vertices), result.blocks);
+    const Primitive_kind first_kind = first.kind, second_kind = second.kind;
+    const Regularity_kind kind = regularity.kind;
+    result.function = [=](double const* const* blocks) {
+      return discrepancy(kind, curve_of(first_kind, one, blocks), curve_of(second_kind, two, blocks));
+    };
+    return result;
+  }
+
+  // zero where the regularity holds; angles are those between arms of about the length of a curve
+  static Vector discrepancy(Regularity_kind kind, const Primitive_curve& one, const Primitive_curve& two)
+  {
+    constexpr double arm = 10.;
+    const Vector &a = one.axis, &b = two.axis, offset = two.center - one.center;
+    switch (kind) {
+    case Regularity_kind::EQUAL_RADII:
+      return Vector(one.major_radius - two.major_radius, 0., 0.);
+    case Regularity_kind::COAXIAL:
+      // that the axes are parallel is a regularity of its own
+      return offset - offset.dot(a) * a;
+    case Regularity_kind::PARALLEL:
+      return arm * a.cross(b);
+    case Regularity_kind::ORTHOGONAL:
+      return Vector(arm * a.dot(b), 0., 0.);
+    }
+    return Vector::Zero();
   }
 
   Constraint incidence_constraint(Primitive_edge& edge, std::size_t vertex)
