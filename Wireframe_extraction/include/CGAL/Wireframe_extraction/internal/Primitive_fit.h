@@ -17,8 +17,6 @@
 
 #include <Eigen/Dense>
 
-#include <boost/math/special_functions/gamma.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -69,13 +67,21 @@ public:
   // the probability that the field errs that much or more if the curve is the true one
   double probability(int number_of_parameters) const
   {
-    const double degrees_of_freedom = 2. * double(m_size) - double(number_of_parameters);
-    if (!(degrees_of_freedom > 0.))
-      return 0.;
-    return boost::math::gamma_q(0.5 * share_of_independent * degrees_of_freedom, 0.5 * share_of_independent * m_capped);
+    const double k = share_of_independent * (2. * double(m_size) - double(number_of_parameters));
+    return k > 0. ? chi_square_tail(share_of_independent * m_capped, k) : 0.;
   }
 
   static double weight(double square) { return 1. / (1. + square / cap); }
+
+private:
+  // The probability of a larger value of the chi-square distribution with k degrees of freedom, by the approximation of
+  // Wilson and Hilferty (1931). Boost's function is not usable: where rounding modes are respected, as CGAL asks compilers
+  // to, it returns values that are no probabilities.
+  static double chi_square_tail(double x, double k)
+  {
+    const double variance = 2. / (9. * k);
+    return 0.5 * std::erfc((std::cbrt(x / k) - 1. + variance) / std::sqrt(2. * variance));
+  }
 };
 
 // Fits a line, a circle or an ellipse to stations, by robust least squares over its parameters.
