@@ -13,6 +13,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <functional>
 #include <initializer_list>
@@ -223,7 +224,8 @@ private:
     const std::string group = "Run";
     m_app.add_flag("--paper", m_options.is_paper,
                    "Start from the behaviour published in arXiv 2107.06165 instead of the defaults shown "
-                   "here; other options count on top of it")
+                   "here; other options count on top of it. All curves are splines then, unless "
+                   "--recognize-types true is given")
       ->group(group);
     add_checked("--threads", m_options.number_of_threads, 1, 1024, "Use at most this many threads", group)
       ->type_name("N");
@@ -328,8 +330,10 @@ private:
   {
     const std::string group = "Curve types";
     Extraction_options& extraction = m_options.extraction;
-    m_app.add_flag("--splines-only{false}", extraction.recognize_types,
-                   "Leave all curves splines, instead of recognizing lines, circles, ellipses and their arcs")
+    add_boolean("--recognize-types", extraction.recognize_types,
+                "Whether lines, circles, ellipses and their arcs replace splines", group);
+    m_app.add_flag_function("--splines-only", [&extraction](std::int64_t) { extraction.recognize_types = false; },
+                            "The same as --recognize-types false")
       ->group(group);
     add_number("--type-significance", extraction.type_significance, 0., 1., false,
                "Share of true lines, circles and ellipses that may be taken for splines", group);

@@ -124,7 +124,7 @@ void print_summary(std::ostream& out, const Options& options, const CGAL::Wirefr
             + (report.number_of_free_ends == 0 ? "" : ", and " + std::to_string(report.number_of_free_ends) + " free ends"));
   print_row(out, "Curves", curves_text(wireframe));
   for(const std::string& regularity : report.regularities)
-    print_row(out, "Regular", regularity);
+    print_row(out, "Regular", regularity); // curves are counted from 0, as in the files
   print_row(out, "Residuals", "rms " + length_text(report.root_mean_square, r) + ", largest "
                                 + length_text(report.maximum_deviation, r));
   print_row(out, "Seconds", times_text(seconds));

@@ -8,6 +8,7 @@
 #include <CGAL/Wireframe_extraction/detect_corners.h>
 #include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
 #include <CGAL/Wireframe_extraction/fit_curves.h>
+#include <CGAL/Wireframe_extraction/recognize_curve_types.h>
 #include <CGAL/Wireframe_extraction/refine_field.h>
 #include <CGAL/Wireframe_extraction/segment_curves.h>
 #include <CGAL/Wireframe_extraction/select_skeleton.h>
@@ -59,7 +60,11 @@ int main(int argc, char** argv)
 
   // 6. One spline for each path of the graph between two corners, all fitted to the field together.
   const auto wireframe = stages::fit_curves(skeleton, graph);
-  std::cout << "wireframe: " << wireframe.vertices.size() << " vertices, " << wireframe.curves.size()
+  std::cout << "splines: " << wireframe.vertices.size() << " vertices, " << wireframe.curves.size()
             << " curves" << std::endl;
+
+  // 7. Lines, circles and ellipses in place of the splines that are none; some splines are cut.
+  const auto typed = stages::recognize_curve_types(skeleton, wireframe);
+  std::cout << "types: " << typed.vertices.size() << " vertices, " << typed.curves.size() << " curves" << std::endl;
   return wireframe.is_empty() ? EXIT_FAILURE : EXIT_SUCCESS;
 }

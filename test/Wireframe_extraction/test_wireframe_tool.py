@@ -294,7 +294,7 @@ class Tool_test(unittest.TestCase):
         self.assertEqual(content["a.svg"].count(b"<polyline "), 48)
         self.assertRegex(content["a.svg"], rb"Size .* in, third-angle")
         self.assertEqual(content["a.csv"].count(b"\r\n"), 13)
-        self.assertEqual(content["a.obj"].count(b"cstype bspline"), 12)
+        self.assertEqual(content["a.obj"].count(b"\nl "), 12)   # a line needs no spline
 
     def test_outputs_are_replaced(self):
         (self.folder / "out.json").write_text("old")
@@ -447,7 +447,7 @@ class Tool_test(unittest.TestCase):
         # what only a program can give
         for_programs = {"distance_map", "error_message", "number_of_skipped", "sampling_step",
                         "extraction_report", "visitor"}
-        renamed = {"patch_fusion": "fuse", "recognize_types": "splines-only"}
+        renamed = {"patch_fusion": "fuse"}
         text = self.extract("--help")
         for name in names:
             if name not in for_programs:

@@ -219,11 +219,11 @@ all their curves, and where a cut joins a line and an arc, or two arcs, their ta
 then those of the cuts. The vertex of a closed curve that passes smoothly through it, and is alone there, is left out if the
 curve becomes a circle or an ellipse, or is cut elsewhere.
 
-Complexity: O(n log n) for n points, besides the solution of the sparse normal equations. The number of places at which cuts
-are tried is bounded.
+Complexity: O(n log n) for n points, besides the solution of the sparse normal equations. The number of places at which a curve
+may be cut is bounded.
 */
 template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Wireframe<GeomTraits> recognize_curve_types(const Wireframe_skeleton<GeomTraits>& skeleton,
+[[nodiscard]] Wireframe<GeomTraits> recognize_curve_types(const Wireframe_skeleton<GeomTraits>& skeleton,
                                             const Wireframe<GeomTraits>& wireframe,
                                             const NamedParameters& np = CGAL::parameters::default_values())
 {

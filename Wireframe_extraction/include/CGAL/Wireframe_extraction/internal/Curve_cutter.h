@@ -40,23 +40,25 @@ struct Curve_piece
 // parameters as there are times the logarithm of the number of observations (Schwarz 1978).
 class Curve_cutter
 {
+  static constexpr std::size_t most_places = 250;   // for cuts
   static constexpr std::size_t reach = 2;   // how far around the ends of pieces cuts are tried, in stations
   static constexpr double most_turn = 15. * CGAL_PI / 180., most_gap = 0.5;   // from one piece to the next
   static constexpr double most_miss = 1.;   // how far from its vertex a curve may pass before vertices move
   static constexpr double least_spline_parameters = 3.;   // of one that goes on smoothly at both ends
 
   const std::vector<Station>& m_stations;
-  const std::vector<double>& m_spline_parameters;   // of the spline, at each station
   const std::array<Vector, 2> m_ends;
   const bool m_is_closed;
   const double m_significance, m_log_size;
+  const std::vector<double> m_spline_costs;
 
 public:
-  // `ends` are those of the curve, which count unless it is closed and free of vertices
+  // `spline_parameters` are the parameters that the spline has per station; `ends` are those of the curve, which count unless it is closed and free of vertices
   Curve_cutter(const std::vector<Station>& stations, const std::vector<double>& spline_parameters,
                const std::array<Vector, 2>& ends, bool is_closed, double significance)
-    : m_stations(stations), m_spline_parameters(spline_parameters), m_ends(ends), m_is_closed(is_closed),
-      m_significance(significance), m_log_size(std::log(2. * double(stations.size())))
+    : m_stations(stations), m_ends(ends), m_is_closed(is_closed), m_significance(significance),
+      m_log_size(std::log(2. * double(stations.size()))),
+      m_spline_costs(spline_costs(stations, spline_parameters, m_log_size))
   {}
 
   std::vector<Curve_piece> run() const
@@ -72,6 +74,10 @@ public:
         return a.size < b.size;
       });
       pieces = cut_closed((largest->first + largest->size) % n);
+      // what is joined below must not depend on where the curve starts
+      const auto line = std::find_if(pieces.begin(), pieces.end(), [](const Curve_piece& piece) { return piece.is_line(); });
+      if (line != pieces.end())
+        std::rotate(pieces.begin(), line, pieces.end());
     }
     join_arcs(pieces);
     join_chains_of_arcs(pieces);
@@ -92,8 +98,8 @@ private:
     std::size_t supported = 0;
     const Station_range stations = range(first, size);
     for (std::size_t i = 0; i < size; ++i)
-      supported += stations[i].support >= 3;
-    return supported >= least_size(kind) && 3 * supported >= 2 * size;
+      supported += stations[i].support >= 2;
+    return supported >= least_size(kind) && 2 * supported >= size;
   }
 
   // a piece without fit if the kind is not what the stations show
@@ -102,7 +108,8 @@ private:
     Curve_piece piece;
     piece.first = first;
     piece.size = size;
-    if (!is_supported(first, size, kind))
+    const bool is_whole_loop = m_is_closed && size == m_stations.size();
+    if (!is_supported(first, size, kind) || (is_whole_loop && kind == Primitive_kind::LINE))
       return piece;
     const auto fit = std::make_shared<Primitive_fit>(kind, range(first, size));
     if (fit->is_valid && fit->misfit.probability(fit->curve.number_of_parameters()) >= m_significance
@@ -145,15 +152,23 @@ private:
     if (piece.fit)
       return Misfit::share_of_independent * piece.fit->misfit.capped()
         + (piece.fit->curve.number_of_parameters() + 1) * m_log_size;
-    Misfit misfit;
-    double parameters = least_spline_parameters;
-    for (std::size_t i = piece.first; i < piece.first + piece.size; ++i) {
-      const Station& station = m_stations[i % m_stations.size()];
+    return least_spline_parameters * m_log_size + m_spline_costs[piece.first + piece.size] - m_spline_costs[piece.first];
+  }
+
+  // sums of what the spline costs at each station; twice round, for pieces that pass the end of a closed curve
+  static std::vector<double> spline_costs(const std::vector<Station>& stations, const std::vector<double>& parameters,
+                                          double log_size)
+  {
+    std::vector<double> sums(1, 0.);
+    for (std::size_t i = 0; i < 2 * stations.size(); ++i) {
+      const Station& station = stations[i % stations.size()];
       const Vector residual = station.followed - station.position;
+      Misfit misfit;
       misfit.add(residual.dot(station.information * residual));
-      parameters += m_spline_parameters[i % m_stations.size()];
+      sums.push_back(sums.back() + Misfit::share_of_independent * misfit.capped()
+                     + parameters[i % stations.size()] * log_size);
     }
-    return Misfit::share_of_independent * misfit.capped() + parameters * m_log_size;
+    return sums;
   }
 
   // Whether a smooth curve may go on from one piece to the next: their curves meet in the middle between the stations
@@ -253,7 +268,20 @@ private:
         places.push_back(i);
     std::sort(places.begin(), places.end());
     places.erase(std::unique(places.begin(), places.end()), places.end());
+    if (places.size() > most_places)
+      thin_out(places);
     return places;
+  }
+
+  // Along a free-form curve there are many places, none of which matters much.
+  static void thin_out(std::vector<std::size_t>& places)
+  {
+    const std::size_t step = (places.size() + most_places - 1) / most_places;
+    std::vector<std::size_t> fewer;
+    for (std::size_t i = 0; i + 1 < places.size(); i += step)
+      fewer.push_back(places[i]);
+    fewer.push_back(places.back());
+    places = fewer;
   }
 
   std::vector<Curve_piece> cut(std::size_t start) const
@@ -404,7 +432,7 @@ private:
   {
     Curve_piece piece;
     for (const Primitive_kind kind : kinds)
-      if (!piece.fit && !(kind == Primitive_kind::LINE && m_is_closed && size == m_stations.size()))
+      if (!piece.fit)
         piece = try_piece(kind, first, size);
     return piece;
   }

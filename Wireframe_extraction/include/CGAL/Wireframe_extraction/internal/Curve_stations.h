@@ -101,7 +101,7 @@ public:
         ++k;
       const Vector step = polyline[k] - polyline[k - 1];
       station.tangent = step.normalized();
-      station.position = polyline[k - 1] + (station.parameter - lengths[k - 1]) / (lengths[k] - lengths[k - 1]) * step;
+      station.position = polyline[k - 1] + (station.parameter - lengths[k - 1]) / (std::max)(1e-30, lengths[k] - lengths[k - 1]) * step;
       locate(members[i], station);
       stations.push_back(station);
     }

@@ -118,11 +118,14 @@ private:
     const Untyped_curve& curve = m_curves[c];
     Candidate result;
     result.stations = std::move(stations);
+    if (!curve.is_closed_without_vertex())
+      loosen_ends(result.stations, Curve_stations::arc_lengths(curve.polyline).back());
     // no spline can use more parameters than there are observations
     const double density = (std::min)(1., curve.number_of_parameters / double(result.stations.size()));
     const std::vector<double> parameters(result.stations.size(), density);
     result.pieces = Curve_cutter(result.stations, parameters, {{curve.polyline.front(), curve.polyline.back()}},
                                  curve.is_closed_without_vertex(), m_significance).run();
+    result.is_closed = curve.is_closed_without_vertex();
     if (curve.is_loop() && result.pieces.size() == 1 && result.pieces[0].is_line())
       result.pieces[0].fit.reset();
     merge_splines(result);
@@ -132,10 +135,21 @@ private:
     result.vertices.push_back(curve.vertices[1]);
     if (curve.is_closed_without_vertex() && result.pieces.size() > 1)
       result.vertices.front() = result.vertices.back() = add_vertex(place_of_cut(result, 0));
-    result.is_closed = curve.is_closed_without_vertex();
     result.is_tangent.assign(result.pieces.size(), 1);
     result.is_tangent[0] = curve.is_closed_without_vertex() && result.pieces.size() > 1;
     return result;
+  }
+
+  // Near a vertex, the points of the other curves that meet there mix in.
+  static void loosen_ends(std::vector<Station>& stations, double length)
+  {
+    constexpr double reach = 3., most_deviation = 0.1;
+    for (Station& station : stations) {
+      const double distance = (std::min)(station.parameter, length - station.parameter);
+      const double deviation = most_deviation * (std::max)(0., 1. - distance / reach);
+      // where there is most information, its inverse grows by the variance
+      station.information /= 1. + 0.5 * station.information.trace() * deviation * deviation;
+    }
   }
 
   // splines side by side are one
@@ -147,6 +161,10 @@ private:
         pieces.back().size += piece.size;
       else
         pieces.push_back(piece);
+    if (candidate.is_closed && pieces.size() > 1 && !pieces.front().fit && !pieces.back().fit) {
+      pieces.back().size += pieces.front().size;
+      pieces.erase(pieces.begin());
+    }
     candidate.pieces = pieces;
   }
 
@@ -225,7 +243,7 @@ private:
       network.run();
       std::vector<char> is_contradicted(places.size(), 0);
       for (std::size_t k = 0; k < places.size(); ++k)
-        is_contradicted[k] = !is_supported(network.edges[k].curve(network.vertices), network, network.edges[k],
+        is_contradicted[k] = network.is_violated(k) || !is_supported(network.edges[k].curve(network.vertices), network, network.edges[k],
                                            m_candidates[places[k].curve], places[k].piece);
       const auto first_bad = std::remove_if(regularities.begin(), regularities.end(), [&](const Regularity& regularity) {
         return is_contradicted[regularity.curves[0]] || is_contradicted[regularity.curves[1]];
@@ -321,14 +339,18 @@ private:
                  const std::vector<std::vector<std::size_t> >& edges)
   {
     bool is_changed = false;
+    std::vector<std::vector<char> > were_tangent;   // before this round: the order of the edges must not matter
+    for (const Candidate& candidate : m_candidates)
+      were_tangent.push_back(candidate.is_tangent);
     for (std::size_t k = 0; k < places.size(); ++k) {
       Candidate& candidate = m_candidates[places[k].curve];
+      const std::vector<char>& was_tangent = were_tangent[places[k].curve];
       const std::size_t i = places[k].piece, n = candidate.pieces.size();
       const Primitive_curve curve = network.edges[k].curve(network.vertices);
-      if (is_supported(curve, network, network.edges[k], candidate, i))
+      if (!network.is_violated(k) && is_supported(curve, network, network.edges[k], candidate, i))
         continue;
       is_changed = true;
-      if (candidate.is_tangent[i] || candidate.is_tangent[(i + 1) % n])
+      if (was_tangent[i] || was_tangent[(i + 1) % n])
         candidate.is_tangent[i] = candidate.is_tangent[(i + 1) % n] = 0;
       else
         candidate.pieces[i].fit.reset();
@@ -380,6 +402,13 @@ private:
         candidate.vertices.erase(candidate.vertices.begin() + long(i));
         candidate.is_tangent.erase(candidate.is_tangent.begin() + long(i));
       }
+    if (candidate.is_closed && pieces.size() > 1 && !pieces.front().fit && !pieces.back().fit) {
+      pieces.back().size += pieces.front().size;
+      pieces.erase(pieces.begin());
+      candidate.vertices.erase(candidate.vertices.begin());
+      candidate.vertices.back() = candidate.vertices.front();
+      candidate.is_tangent.erase(candidate.is_tangent.begin());
+    }
     if (pieces.size() == 1 && !pieces[0].fit) {
       pieces[0].first = 0;
       candidate.vertices = {m_curves[c].vertices[0], m_curves[c].vertices[1]};

@@ -141,8 +141,12 @@ public:
   std::vector<Tangency> tangencies;
   std::vector<Regularity> regularities;     // of edges
 
+  // whether an edge does not meet what has to hold exactly
+  bool is_violated(std::size_t edge) const { return edge < m_is_violated.size() && m_is_violated[edge]; }
+
   void run()
   {
+    m_is_violated.assign(edges.size(), 0);
     const std::vector<Vector> anchors = vertices;
     const std::vector<Constraint> constraints = make_constraints();
     std::vector<Vector> multipliers(constraints.size(), Vector::Zero());
@@ -159,13 +163,21 @@ public:
       if (worst < 1e-10)
         break;
     }
+    for (const Constraint& constraint : constraints)
+      if (!(constraint.function(constraint.blocks.data()).norm() < most_violation))
+        for (const std::size_t edge : constraint.edges)
+          m_is_violated[edge] = 1;
   }
 
 private:
   static constexpr int most_rounds = 9;
+  static constexpr double most_violation = 1e-6;
+
+  std::vector<char> m_is_violated;
 
   struct Constraint
   {
+    std::vector<std::size_t> edges;
     std::vector<double*> blocks;
     std::function<Vector(double const* const*)> function;
   };
@@ -197,18 +209,24 @@ private:
     std::vector<Constraint> result;
     for (const Tangency& tangency : tangencies)
       result.push_back(tangency_constraint(tangency));
-    for (const Regularity& regularity : regularities)
+    for (const Regularity& regularity : regularities) {
       result.push_back(regularity_constraint(regularity));
-    for (Primitive_edge& edge : edges)
-      if (edge.kind == Primitive_kind::ELLIPSE && edge.has_vertex())
-        for (std::size_t e = 0; e < (edge.is_loop() ? 1u : 2u); ++e)
-          result.push_back(incidence_constraint(edge, edge.vertices[e]));
+      if (regularity.kind == Regularity_kind::COAXIAL)
+        result.push_back(regularity_constraint({Regularity_kind::PARALLEL, regularity.curves}));
+    }
+    for (std::size_t k = 0; k < edges.size(); ++k)
+      if (edges[k].kind == Primitive_kind::ELLIPSE && edges[k].has_vertex())
+        for (std::size_t e = 0; e < (edges[k].is_loop() ? 1u : 2u); ++e) {
+          result.push_back(incidence_constraint(edges[k], edges[k].vertices[e]));
+          result.back().edges = {k};
+        }
     return result;
   }
 
   Constraint tangency_constraint(const Tangency& tangency)
   {
     Constraint result;
+    result.edges = {tangency.edges[0], tangency.edges[1]};
     Primitive_edge &first = edges[tangency.edges[0]], &second = edges[tangency.edges[1]];
     const std::vector<std::size_t> one = enter(first.blocks(vertices), result.blocks);
     const std::vector<std::size_t> two = enter(second.blocks(vertices), result.blocks);
@@ -225,6 +243,7 @@ private:
   Constraint regularity_constraint(const Regularity& regularity)
   {
     Constraint result;
+    result.edges = {regularity.curves[0], regularity.curves[1]};
     Primitive_edge &first = edges[regularity.curves[0]], &second = edges[regularity.curves[1]];
     const std::vector<std::size_t> one = enter(first.blocks(vertices), result.blocks);
     const std::vector<std::size_t> two = enter(second.blocks(vertices), result.blocks);
@@ -245,7 +264,7 @@ private:
     case Regularity_kind::EQUAL_RADII:
       return Vector(one.major_radius - two.major_radius, 0., 0.);
     case Regularity_kind::COAXIAL:
-      // that the axes are parallel is a regularity of its own
+      // that the axes are parallel is a constraint of its own
       return offset - offset.dot(a) * a;
     case Regularity_kind::PARALLEL:
       return arm * a.cross(b);
