@@ -1165,6 +1165,18 @@ void test_patch_files()
 #endif
 }
 
+// one point far off, as some programs write it for "no value", must not make the others look the same
+void test_fusion_with_a_far_point()
+{
+  Patches patches(2);
+  for (int x = 0; x < 10; ++x)
+    for (int y = 0; y < 10; ++y)
+      for (Patches::value_type& patch : patches)
+        patch.samples.emplace_back(Point(0.01 * x, 0.01 * y, 0.), 0.1 * x);
+  patches[1].samples.emplace_back(Point(-9999., -9999., -9999.), 1.);
+  assert(fuse(patches).size() == 101);
+}
+
 void test_small_number_types()
 {
   std::vector<std::pair<CGAL::Simple_cartesian<float>::Point_3, float>> cloud;
@@ -1197,6 +1209,7 @@ int main()
   test_fusion();
   test_fusion_of_values();
   test_fusion_is_fast();
+  test_fusion_with_a_far_point();
   test_patch_files();
   test_small_number_types();
   assert(count_files() == before);

@@ -29,8 +29,8 @@ namespace Wireframe_extraction {
 /// puts patches of a cloud that overlap together: every point gets one distance.
 ///
 /// If all patches have indices, points with the same index are the same, and the cloud has the order of the indices.
-/// Otherwise points are the same that are closer to each other than 10<sup>-6</sup> of the diagonal of the bounding
-/// box, and the cloud is sorted by `x`, `y` and `z`. Of points that are the same, the first one in the order of
+/// Otherwise points are the same that are closer to each other than 10<sup>-6</sup> of the diagonal of the box around
+/// the middle nine tenths of the coordinates, and the cloud is sorted by `x`, `y` and `z`. Of points that are the same, the first one in the order of
 /// `x`, `y` and `z` is kept. The result does not depend on the order of the patches.
 ///
 /// A regressor such as DEF sees one patch at a time. What a point is close to may lie outside of its patch; then the
@@ -60,7 +60,7 @@ namespace Wireframe_extraction {
 /// \cgalNamedParamsEnd
 ///
 /// \return `true` if there is a cloud, else `false`: there are no points, a coordinate or distance is not finite, a
-///   distance is negative, or an index stands for points that are more than 10<sup>-3</sup> of the diagonal apart.
+///   distance is negative, or an index stands for points that are more than 10<sup>-3</sup> of that diagonal apart.
 ///
 /// Takes \f$ O(n \log n) \f$ time and linear memory for \f$ n \f$ points, unless many of them lie within a layer
 /// that is thinner than the tolerance and perpendicular to one direction, which no plane of a shape is likely to be.

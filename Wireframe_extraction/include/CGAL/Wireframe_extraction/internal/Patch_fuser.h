@@ -22,7 +22,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -41,7 +40,7 @@ class Patch_fuser
   typedef std::array<double, 3> Position;
 
 public:
-  // points are the same up to this share of the diagonal of the bounding box
+  // points are the same up to this share of the diagonal of the box around the middle nine tenths of the coordinates
   static constexpr double tolerance = 1e-6;
   // points with the same index cannot be farther from each other than this share
   static constexpr double index_tolerance = 1e-3;
@@ -89,9 +88,6 @@ private:
     if(count == 0)
       return "the patches have no points";
     samples_.reserve(count);
-    Position least, most;
-    least.fill((std::numeric_limits<double>::max)());
-    most.fill(-(std::numeric_limits<double>::max)());
     for(const auto& patch : patches)
     {
       if(!patch.indices.empty() && patch.indices.size() != patch.samples.size())
@@ -103,12 +99,8 @@ private:
         const Point& p = patch.samples[i].first;
         const Position position = {{ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) }};
         for(std::size_t axis = 0; axis < 3; ++axis)
-        {
           if(!std::isfinite(position[axis]))
             return "a patch has a point with a coordinate that is not finite";
-          least[axis] = (std::min)(least[axis], position[axis]);
-          most[axis] = (std::max)(most[axis], position[axis]);
-        }
         const double distance = CGAL::to_double(patch.samples[i].second);
         if(!(std::isfinite(distance) && distance >= 0.))
           return "a patch has a distance that is not finite, or negative";
@@ -116,8 +108,22 @@ private:
                              patch.indices.empty() ? 0 : patch.indices[i], 0 });
       }
     }
-    diagonal_ = std::hypot(most[0] - least[0], most[1] - least[1], most[2] - least[2]);
+    diagonal_ = std::hypot(extent(0), extent(1), extent(2));
     return std::string();
+  }
+
+  // of the middle nine tenths of the coordinates: a point that is far off must not make all others look the same
+  double extent(std::size_t axis) const
+  {
+    std::vector<double> values;
+    values.reserve(samples_.size());
+    for(const Sample& sample : samples_)
+      values.push_back(sample.position[axis]);
+    const std::size_t low = values.size() / 20, high = values.size() - 1 - low;
+    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(low), values.end());
+    const double least = values[low];
+    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(high), values.end());
+    return values[high] - least;
   }
 
   // by index or position; what is the same in both may stand in any order

@@ -291,13 +291,14 @@ private:
         if(vertex != Curve::no_vertex)
           curves_at[vertex].push_back(i);
     std::vector<Child> result;
-    std::vector<bool> is_done(wireframe_.curves.size(), false);
+    std::vector<bool> is_done(wireframe_.curves.size(), false), is_in_no_loop(wireframe_.curves.size(), false);
     for(std::size_t i = 0; i < wireframe_.curves.size(); ++i)
     {
       if(is_done[i])
         continue;
       Child child;
-      child.path = loop_from(i, curves_at);
+      if(!is_in_no_loop[i])
+        child.path = loop_from(i, curves_at, is_in_no_loop);
       child.is_wire = !child.path.empty();
       if(!child.is_wire)
         child.path.emplace_back(i, false);
@@ -308,8 +309,9 @@ private:
     return result;
   }
 
-  // follows the curves until the first one is there again; empty where they branch or end
-  Path loop_from(std::size_t first, const std::vector<std::vector<std::size_t> >& curves_at) const
+  // Follows the curves until the first one is there again. Empty where they branch or end; then none of them is in a loop.
+  Path loop_from(std::size_t first, const std::vector<std::vector<std::size_t> >& curves_at,
+                 std::vector<bool>& is_in_no_loop) const
   {
     Path path(1, std::make_pair(first, false));
     for(;;)
@@ -320,7 +322,11 @@ private:
         return path;
       const std::vector<std::size_t>& curves = curves_at[vertex];
       if(curves.size() != 2)
+      {
+        for(const auto& step : path)
+          is_in_no_loop[step.first] = true;
         return Path();
+      }
       const std::size_t next = curves[0] == path.back().first ? curves[1] : curves[0];
       if(next == first)
         return path;
