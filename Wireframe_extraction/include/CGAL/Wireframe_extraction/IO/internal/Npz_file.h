@@ -265,7 +265,8 @@ private:
       return "reading failed";
     const std::size_t position = tail.rfind("PK\5\6");
     if(position == std::string::npos || tail.size() - position < end_size)
-      return "is no NumPy archive, or a truncated one: it has no ZIP directory at its end; numpy.savez() writes one";
+      return "is no NumPy archive, or a truncated one: it has no ZIP directory at its end; copy it again, "
+             "or write it with numpy.savez()";
     std::uint64_t count = number_at<std::uint16_t>(tail, position + 10);
     std::uint64_t size = number_at<std::uint32_t>(tail, position + 12);
     std::uint64_t offset = number_at<std::uint32_t>(tail, position + 16);

@@ -298,7 +298,8 @@ private:
   {
     if(fields.size() != number_of_columns_)
       return table_.fail_at_line("the row has " + plural(fields.size(), "column", "columns")
-                                 + ", the rows before have " + std::to_string(number_of_columns_));
+                                 + ", the rows before have " + std::to_string(number_of_columns_)
+                                 + "; complete it, or leave it out");
     std::array<double, 4> values = {{ 0., 0., 0., 0. }};
     for(std::size_t i = 0; i < number_of_wanted(); ++i)
     {
