@@ -159,7 +159,7 @@ Sample_solids::Curve_kind kind_of(CGAL::Wireframe_curve_type type)
 {
   typedef CGAL::Wireframe_curve_type Type;
   typedef Sample_solids::Curve_kind Kind;
-  return type == Type::LINE ? Kind::LINE : type == Type::CIRCLE || type == Type::ARC ? Kind::CIRCLE
+  return type == Type::LINE ? Kind::LINE : type == Type::CIRCLE ? Kind::CIRCLE : type == Type::ARC ? Kind::ARC
          : type == Type::BSPLINE ? Kind::SPLINE : Kind::ELLIPSE;
 }
 
