@@ -385,7 +385,7 @@ private:
     return is_changed;
   }
 
-  // whether the curve was cut before this piece, or the piece starts where the curve does
+  // whether the curve was cut before this piece; before the first one that can only be if it is closed
   bool is_cut(const Candidate& candidate, std::size_t i) const
   {
     return i > 0 || (candidate.pieces.size() > 1 && candidate.is_closed);
