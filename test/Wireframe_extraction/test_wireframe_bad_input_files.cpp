@@ -1,3 +1,5 @@
+#include "check_words.h"
+
 #include <CGAL/Wireframe_extraction/IO/read_distance_cloud.h>
 #include <CGAL/Wireframe_extraction/IO/read_wireframe_json.h>
 #include <CGAL/Wireframe_extraction/IO/write_wireframe.h>
@@ -28,7 +30,6 @@ typedef Kernel::Point_3 Point;
 typedef std::vector<std::pair<Point, double>> Cloud;
 typedef CGAL::Wireframe<Kernel> Wireframe;
 typedef CGAL::Wireframe_curve<Kernel> Curve;
-typedef std::initializer_list<std::string> Words;
 
 // a file of the current directory that is gone at the end of the test
 struct Test_file
@@ -42,18 +43,6 @@ struct Test_file
 
   ~Test_file() { std::remove(name.c_str()); }
 };
-
-void check_words(const std::string& error, const Words& words)
-{
-  for(const std::string& word : words)
-    if(error.find(word) == std::string::npos)
-    {
-      std::fprintf(stderr, "\"%s\" is not in \"%s\"\n", word.c_str(), error.c_str());
-      assert(false);
-    }
-  for(const char c : error)
-    assert(static_cast<unsigned char>(c) >= 32 && static_cast<unsigned char>(c) < 127);
-}
 
 // ---- clouds ----
 

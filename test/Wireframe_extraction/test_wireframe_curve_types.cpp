@@ -79,8 +79,7 @@ std::vector<Station> stations_along(const std::function<Vector(double)>& positio
 
 std::vector<Curve_piece> cut(const std::vector<Station>& stations, bool is_closed = false, double density = 0.7)
 {
-  const std::vector<double> parameters(stations.size(), density);
-  return Curve_cutter(stations, parameters, {{stations.front().position, stations.back().position}}, is_closed, 0.001).run();
+  return Curve_cutter(stations, density, {{stations.front().position, stations.back().position}}, is_closed, 0.001).run();
 }
 
 void test_feet()

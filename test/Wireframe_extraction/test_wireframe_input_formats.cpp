@@ -1,6 +1,8 @@
 // Clouds in the formats of NumPy, HDF5, PCL and of meshes, all of them written here, and the fusion of overlapping
 // patches.
 
+#include "check_words.h"
+
 #include <CGAL/Wireframe_extraction/IO/read_distance_cloud.h>
 #include <CGAL/Wireframe_extraction/IO/read_distance_patches.h>
 #include <CGAL/Wireframe_extraction/fuse_distance_patches.h>
@@ -38,7 +40,6 @@ typedef std::vector<std::pair<Point, double>> Cloud;
 typedef CGAL::Wireframe_extraction::Distance_patch<Point, double> Patch;
 typedef std::vector<Patch> Patches;
 typedef CGAL::Wireframe_extraction::Patch_fusion Patch_fusion;
-typedef std::initializer_list<std::string> Words;
 
 // a file of the current directory that is gone at the end of the test
 struct Test_file
@@ -62,18 +63,6 @@ struct Test_file
     return std::string(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
   }
 };
-
-void check_words(const std::string& error, const Words& words)
-{
-  for(const std::string& word : words)
-    if(error.find(word) == std::string::npos)
-    {
-      std::fprintf(stderr, "\"%s\" is not in \"%s\"\n", word.c_str(), error.c_str());
-      assert(false);
-    }
-  for(const char c : error)
-    assert(static_cast<unsigned char>(c) >= 32 && static_cast<unsigned char>(c) < 127);
-}
 
 struct Names
 {

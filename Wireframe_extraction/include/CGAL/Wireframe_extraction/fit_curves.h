@@ -75,6 +75,14 @@ Spline_curve_3<GeomTraits> to_spline(const Cubic_spline& spline, bool is_closed,
   return Spline_curve_3<GeomTraits>(data.degree, knots, points, is_closed, skeleton.traits());
 }
 
+// the given noise level, or that of the contracted skeleton
+template <class GeomTraits>
+double noise_of(const Wireframe_skeleton<GeomTraits>& skeleton, const Extraction_options& options)
+{
+  return options.noise_level >= 0. ? (std::min)(1., options.noise_level)
+    : skeleton.is_contracted() ? skeleton.contraction().noise : 0.1;
+}
+
 template <class GeomTraits>
 Wireframe<GeomTraits> fit(const Wireframe_skeleton<GeomTraits>& skeleton,
                           const Wireframe_graph<GeomTraits>& graph, const Extraction_options& options,
@@ -114,8 +122,7 @@ Wireframe<GeomTraits> fit(const Wireframe_skeleton<GeomTraits>& skeleton,
   if (curves.empty())
     return wireframe;
 
-  const double noise = options.noise_level >= 0. ? (std::min)(1., options.noise_level)
-    : skeleton.is_contracted() ? skeleton.contraction().noise : 0.1;
+  const double noise = noise_of(skeleton, options);
   Spline_network_fit fit(skeleton.band(), noise, options, vertices, curves);
   fit.run(proceed);
 

@@ -109,9 +109,7 @@ Wireframe<GeomTraits> recognize(const Wireframe_skeleton<GeomTraits>& skeleton, 
   for (Untyped_curve& curve : curves)
     if (!curve.is_closed_without_vertex() && passes_through_vertex(curve, degrees[curve.vertices[0]], options.smooth_angle))
       curve.vertices = {{Untyped_curve::no_vertex, Untyped_curve::no_vertex}};
-  const double noise = options.noise_level >= 0. ? (std::min)(1., options.noise_level)
-    : skeleton.is_contracted() ? skeleton.contraction().noise : 0.1;
-  Curve_type_recognizer recognizer(skeleton.band(), noise, options.support_distance, options.type_significance,
+  Curve_type_recognizer recognizer(skeleton.band(), noise_of(skeleton, options), options.support_distance, options.type_significance,
                                    options.regularize, vertices, curves);
   std::vector<Typed_piece> pieces = recognizer.run();
   regularities = texts(recognizer.regularities());

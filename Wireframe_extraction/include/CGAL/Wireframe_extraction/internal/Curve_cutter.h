@@ -53,12 +53,13 @@ class Curve_cutter
   const std::vector<double> m_spline_costs;
 
 public:
-  // `spline_parameters` are the parameters that the spline has per station; `ends` are those of the curve, which count unless it is closed and free of vertices
-  Curve_cutter(const std::vector<Station>& stations, const std::vector<double>& spline_parameters,
+  // `density` is the number of parameters that the spline has per station; `ends` are those of the curve, which count
+  // unless it is closed and free of vertices
+  Curve_cutter(const std::vector<Station>& stations, double density,
                const std::array<Vector, 2>& ends, bool is_closed, double significance)
     : m_stations(stations), m_ends(ends), m_is_closed(is_closed), m_significance(significance),
       m_log_size(std::log(2. * double(stations.size()))),
-      m_spline_costs(spline_costs(stations, spline_parameters, m_log_size))
+      m_spline_costs(spline_costs(stations, density * m_log_size))
   {}
 
   std::vector<Curve_piece> run() const
@@ -156,8 +157,7 @@ private:
   }
 
   // sums of what the spline costs at each station; twice round, for pieces that pass the end of a closed curve
-  static std::vector<double> spline_costs(const std::vector<Station>& stations, const std::vector<double>& parameters,
-                                          double log_size)
+  static std::vector<double> spline_costs(const std::vector<Station>& stations, double cost_of_parameters)
   {
     std::vector<double> sums(1, 0.);
     for (std::size_t i = 0; i < 2 * stations.size(); ++i) {
@@ -165,8 +165,7 @@ private:
       const Vector residual = station.followed - station.position;
       Misfit misfit;
       misfit.add(residual.dot(station.information * residual));
-      sums.push_back(sums.back() + Misfit::share_of_independent * misfit.capped()
-                     + parameters[i % stations.size()] * log_size);
+      sums.push_back(sums.back() + Misfit::share_of_independent * misfit.capped() + cost_of_parameters);
     }
     return sums;
   }

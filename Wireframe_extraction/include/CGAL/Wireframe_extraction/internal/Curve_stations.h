@@ -132,7 +132,7 @@ private:
       for (const Curve_support* member : members) {
         const Vector offset = m_band.points[member->point] - member->foot - moved;
         const double length = offset.norm(), d = m_band.distances[member->point], e = d - length;
-        if (length < 1e-9 || std::abs(e) > (std::max)(0.5, 4. * m_noise))
+        if (length < 1e-9 || std::abs(e) > residual_cutoff(m_noise))
           continue;
         const double worth = (0.03 + m_noise) / (0.03 + m_band.deviation(member->point, m_noise));
         const double weight = worth * worth / (1. + 0.5 * d * d) / (1. + e * e / (scale * scale));

@@ -70,6 +70,7 @@ class Curve_type_recognizer
   struct Candidate
   {
     std::vector<Station> stations;
+    double length = 0.;
     std::vector<Curve_piece> pieces;
     std::vector<std::size_t> vertices;      // before each piece, and after the last
     std::vector<char> is_tangent;           // whether the join before each piece may be tangent
@@ -118,12 +119,12 @@ private:
     const Untyped_curve& curve = m_curves[c];
     Candidate result;
     result.stations = std::move(stations);
+    result.length = Curve_stations::arc_lengths(curve.polyline).back();
     if (!curve.is_closed_without_vertex())
-      loosen_ends(result.stations, Curve_stations::arc_lengths(curve.polyline).back());
+      loosen_ends(result.stations, result.length);
     // no spline can use more parameters than there are observations
     const double density = (std::min)(1., curve.number_of_parameters / double(result.stations.size()));
-    const std::vector<double> parameters(result.stations.size(), density);
-    result.pieces = Curve_cutter(result.stations, parameters, {{curve.polyline.front(), curve.polyline.back()}},
+    result.pieces = Curve_cutter(result.stations, density, {{curve.polyline.front(), curve.polyline.back()}},
                                  curve.is_closed_without_vertex(), m_significance).run();
     result.is_closed = curve.is_closed_without_vertex();
     if (curve.is_loop() && result.pieces.size() == 1 && result.pieces[0].is_line())
@@ -461,7 +462,7 @@ private:
     piece.curve = c;
     piece.is_whole = candidate.pieces.size() == 1;
     piece.vertices = {{candidate.vertices[i], candidate.vertices[i + 1]}};
-    const double step = Curve_stations::arc_lengths(m_curves[c].polyline).back() / double(candidate.stations.size());
+    const double step = candidate.length / double(candidate.stations.size());
     piece.range = {{step * double(stations.first), step * double(stations.first + stations.size)}};
     piece.middle = range(candidate, stations)[stations.size / 2].position;
     return piece;
@@ -516,7 +517,7 @@ private:
   // how well the field's points agree
   void measure(Typed_piece& piece) const
   {
-    const double cutoff = (std::max)(0.5, 4. * m_noise), length = Curve_stations::arc_lengths(m_curves[piece.curve].polyline).back();
+    const double cutoff = residual_cutoff(m_noise), length = m_candidates[piece.curve].length;
     double squares = 0.;
     for (const Curve_support& s : m_support[piece.curve]) {
       const bool is_inside = (s.parameter >= piece.range[0] && s.parameter < piece.range[1])

@@ -137,6 +137,9 @@ struct Field_band
   }
 };
 
+// residuals beyond it belong to no curve, where the field's noise level is `noise`
+inline double residual_cutoff(double noise) { return (std::max)(0.5, 4. * noise); }
+
 } // namespace internal
 } // namespace Wireframe_extraction
 } // namespace CGAL

@@ -147,6 +147,10 @@ public:
   void run()
   {
     m_is_violated.assign(edges.size(), 0);
+    m_roots.clear();
+    for (const Primitive_edge& edge : edges)
+      for (const Station& station : edge.stations)
+        m_roots.push_back(square_root(station.information));
     const std::vector<Vector> anchors = vertices;
     const std::vector<Constraint> constraints = make_constraints();
     std::vector<Vector> multipliers(constraints.size(), Vector::Zero());
@@ -174,6 +178,7 @@ private:
   static constexpr double most_violation = 1e-6;
 
   std::vector<char> m_is_violated;
+  std::vector<Eigen::Matrix3d> m_roots;   // of the information of all stations, edge after edge
 
   struct Constraint
   {
@@ -195,13 +200,25 @@ private:
     return indices;
   }
 
-  static Primitive_curve curve_of(Primitive_kind kind, const std::vector<std::size_t>& indices,
-                                  double const* const* blocks)
+  // the curve of an edge as a function of the blocks of a constraint
+  struct Edge_curve
   {
-    std::array<const double*, 3> own{};
-    for (std::size_t i = 0; i < indices.size(); ++i)
-      own[i] = blocks[indices[i]];
-    return Primitive_edge::curve(kind, own.data());
+    Primitive_kind kind;
+    std::vector<std::size_t> indices;   // of the edge's blocks among those of the constraint
+
+    Primitive_curve operator()(double const* const* blocks) const
+    {
+      std::array<const double*, 3> own{};
+      for (std::size_t i = 0; i < indices.size(); ++i)
+        own[i] = blocks[indices[i]];
+      return Primitive_edge::curve(kind, own.data());
+    }
+  };
+
+  Edge_curve take_part(std::size_t edge, Constraint& constraint)
+  {
+    constraint.edges.push_back(edge);
+    return {edges[edge].kind, enter(edges[edge].blocks(vertices), constraint.blocks)};
   }
 
   std::vector<Constraint> make_constraints()
@@ -216,26 +233,19 @@ private:
     }
     for (std::size_t k = 0; k < edges.size(); ++k)
       if (edges[k].kind == Primitive_kind::ELLIPSE && edges[k].has_vertex())
-        for (std::size_t e = 0; e < (edges[k].is_loop() ? 1u : 2u); ++e) {
-          result.push_back(incidence_constraint(edges[k], edges[k].vertices[e]));
-          result.back().edges = {k};
-        }
+        for (std::size_t e = 0; e < (edges[k].is_loop() ? 1u : 2u); ++e)
+          result.push_back(incidence_constraint(k, edges[k].vertices[e]));
     return result;
   }
 
   Constraint tangency_constraint(const Tangency& tangency)
   {
     Constraint result;
-    result.edges = {tangency.edges[0], tangency.edges[1]};
-    Primitive_edge &first = edges[tangency.edges[0]], &second = edges[tangency.edges[1]];
-    const std::vector<std::size_t> one = enter(first.blocks(vertices), result.blocks);
-    const std::vector<std::size_t> two = enter(second.blocks(vertices), result.blocks);
+    const Edge_curve one = take_part(tangency.edges[0], result), two = take_part(tangency.edges[1], result);
     const std::size_t vertex = enter({vertices[tangency.vertex].data()}, result.blocks)[0];
-    const Primitive_kind first_kind = first.kind, second_kind = second.kind;
     result.function = [=](double const* const* blocks) {
       const Vector place = Eigen::Map<const Vector>(blocks[vertex]);
-      return Vector(curve_of(first_kind, one, blocks).tangent(place)
-                    .cross(curve_of(second_kind, two, blocks).tangent(place)));
+      return Vector(one(blocks).tangent(place).cross(two(blocks).tangent(place)));
     };
     return result;
   }
@@ -243,15 +253,9 @@ private:
   Constraint regularity_constraint(const Regularity& regularity)
   {
     Constraint result;
-    result.edges = {regularity.curves[0], regularity.curves[1]};
-    Primitive_edge &first = edges[regularity.curves[0]], &second = edges[regularity.curves[1]];
-    const std::vector<std::size_t> one = enter(first.blocks(vertices), result.blocks);
-    const std::vector<std::size_t> two = enter(second.blocks(vertices), result.blocks);
-    const Primitive_kind first_kind = first.kind, second_kind = second.kind;
+    const Edge_curve one = take_part(regularity.curves[0], result), two = take_part(regularity.curves[1], result);
     const Regularity_kind kind = regularity.kind;
-    result.function = [=](double const* const* blocks) {
-      return discrepancy(kind, curve_of(first_kind, one, blocks), curve_of(second_kind, two, blocks));
-    };
+    result.function = [=](double const* const* blocks) { return discrepancy(kind, one(blocks), two(blocks)); };
     return result;
   }
 
@@ -274,15 +278,14 @@ private:
     return Vector::Zero();
   }
 
-  Constraint incidence_constraint(Primitive_edge& edge, std::size_t vertex)
+  Constraint incidence_constraint(std::size_t edge, std::size_t vertex)
   {
     Constraint result;
-    const std::vector<std::size_t> own = enter(edge.blocks(vertices), result.blocks);
+    const Edge_curve curve = take_part(edge, result);
     const std::size_t place = enter({vertices[vertex].data()}, result.blocks)[0];
-    const Primitive_kind kind = edge.kind;
     result.function = [=](double const* const* blocks) {
       const Vector p = Eigen::Map<const Vector>(blocks[place]);
-      return Vector(curve_of(kind, own, blocks).foot(p) - p);
+      return Vector(curve(blocks).foot(p) - p);
     };
     return result;
   }
@@ -302,11 +305,12 @@ private:
     ownership.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
     ceres::Problem problem(ownership);
     ceres::CauchyLoss robust(4.);
+    auto next_root = m_roots.begin();
     for (Primitive_edge& edge : edges)
       for (const Station& station : edge.stations) {
         const std::vector<double*> blocks = edge.blocks(vertices);
         const Primitive_kind kind = edge.kind;
-        const Eigen::Matrix3d root = square_root(station.information);
+        const Eigen::Matrix3d root = *next_root++;
         const Vector position = station.position;
         problem.AddResidualBlock(new Geometric_residual(blocks.size(), [=](double const* const* parameters) {
           return Vector(root * (Primitive_edge::curve(kind, parameters).foot(position) - position));
@@ -330,15 +334,7 @@ private:
       }
     if (problem.NumResidualBlocks() == 0)
       return;
-    ceres::Solver::Options options;
-    options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
-    options.max_num_iterations = 20;
-    options.function_tolerance = 1e-12;
-    // damping that is the same in all directions: the axes must not matter
-    options.jacobi_scaling = false;
-    options.min_lm_diagonal = options.max_lm_diagonal = 1.;
-    options.logging_type = ceres::SILENT;
-    options.num_threads = 1;
+    const ceres::Solver::Options options = solver_options(20, 1e-12);
     ceres::Solver::Summary summary;
     const std::vector<Vector> kept = vertices;
     const std::vector<Primitive_edge> kept_edges = edges;

@@ -300,8 +300,7 @@ private:
     return m_band.distances[s.point] - (m_band.points[s.point] - m_curves[s.curve].spline.at(s.parameter)).norm();
   }
 
-  // residuals beyond it belong to no curve
-  double cutoff() const { return (std::max)(0.5, 4. * m_noise); }
+  double cutoff() const { return residual_cutoff(m_noise); }
 
   // bisects spans whose residuals are clearly above those of the others
   void add_knots()
@@ -396,15 +395,7 @@ private:
     if (problem.NumResidualBlocks() == 0)
       return true;
     Stop_on_cancel stop(proceed, share);
-    ceres::Solver::Options options;
-    options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
-    options.max_num_iterations = 12;
-    options.function_tolerance = 1e-5;
-    // damping that is the same in all directions: the axes must not matter
-    options.jacobi_scaling = false;
-    options.min_lm_diagonal = options.max_lm_diagonal = 1.;
-    options.logging_type = ceres::SILENT;
-    options.num_threads = 1;    // sums over threads would depend on their number
+    ceres::Solver::Options options = solver_options(12, 1e-5);
     options.callbacks.push_back(&stop);
     ceres::Solver::Summary summary;
     const std::vector<Vector> vertices = m_vertices;

@@ -176,9 +176,8 @@ private:
     Primitive_curve shape = piece.shape;
     const Vector start = has_vertex ? m_vertices[piece.vertices[0]] : shape.foot(polyline.front());
     const Vector end = has_vertex ? m_vertices[piece.vertices[1]] : start;
-    const double quarter = 0.25 * Curve_stations::arc_lengths(polyline).back();
-    const Vector middle = is_closed ? at(polyline, Curve_stations::arc_lengths(polyline), piece.range[0] + quarter)
-                                    : piece.middle;
+    const std::vector<double> lengths = Curve_stations::arc_lengths(polyline);
+    const Vector middle = is_closed ? at(polyline, lengths, piece.range[0] + 0.25 * lengths.back()) : piece.middle;
     double begin = shape.parameter(start), to_middle = turn(begin, shape.parameter(middle));
     double sweep = is_closed ? 2. * CGAL_PI : turn(begin, shape.parameter(end));
     if (is_closed ? to_middle > CGAL_PI : to_middle > sweep) {

@@ -20,4 +20,27 @@
 
 #include <ceres/ceres.h>
 
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// for a sparse problem whose solution must depend neither on the axes nor on the number of threads
+inline ceres::Solver::Options solver_options(int most_iterations, double function_tolerance)
+{
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+  options.max_num_iterations = most_iterations;
+  options.function_tolerance = function_tolerance;
+  // damping that is the same in all directions: the axes must not matter
+  options.jacobi_scaling = false;
+  options.min_lm_diagonal = options.max_lm_diagonal = 1.;
+  options.logging_type = ceres::SILENT;
+  options.num_threads = 1;    // sums over threads would depend on their number
+  return options;
+}
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
 #endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_CERES_SUPPORT_H

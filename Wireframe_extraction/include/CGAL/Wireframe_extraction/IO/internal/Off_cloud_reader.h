@@ -12,7 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_OFF_CLOUD_READER_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_OFF_CLOUD_READER_H
 
-#include <CGAL/Wireframe_extraction/IO/internal/Chunked_input.h>
+#include <CGAL/Wireframe_extraction/IO/internal/Chunked_cloud_reader.h>
 #include <CGAL/Wireframe_extraction/IO/internal/Sample_filter.h>
 #include <CGAL/Wireframe_extraction/IO/internal/text_tools.h>
 
@@ -30,11 +30,11 @@ namespace internal {
 
 // Reads the vertices of a mesh in an ascii OFF file, and hands them out chunk by chunk. Faces are not looked at,
 // and the header is not believed: CGAL's own reader allocates what the header promises.
-class Off_cloud_reader
+class Off_cloud_reader : private Chunked_cloud_reader
 {
 public:
   Off_cloud_reader(std::istream& stream, const std::string& filename, const Cloud_reader_options& options)
-    : input_(stream), filename_(filename), options_(options), filter_(options)
+    : Chunked_cloud_reader(stream, filename, options, "an ascii OFF file")
   {}
 
   // reads all vertices; `sink(first, last)` gets chunk after chunk of usable samples, and stops the reading by
@@ -48,57 +48,18 @@ public:
     std::vector<std::string_view> words;
     for(std::uint64_t done = 0; done < count; ++done)
     {
-      if(!next_words(words))
+      if(!next_words(words, true))
         return fail_truncated("after " + std::to_string(done) + " of " + std::to_string(count) + " vertices");
-      if(!read_vertex(words) || (chunk_.size() == samples_per_chunk && !flush(sink)))
+      if(!read_vertex(words, sink))
         return false;
     }
     return flush(sink) && filter_.is_cloud_usable(filename_, error_);
   }
 
-  const Sample_filter& filter() const { return filter_; }
-  const std::string& error() const { return error_; }
+  using Chunked_cloud_reader::filter;
+  using Chunked_cloud_reader::error;
 
 private:
-  static constexpr std::size_t samples_per_chunk = 4096;
-
-  bool fail(const std::string& error)
-  {
-    error_ = error;
-    return false;
-  }
-
-  bool fail_at_line(const std::string& what)
-  {
-    return fail(filename_ + ":" + std::to_string(input_.line_number()) + ": " + what);
-  }
-
-  bool fail_truncated(const std::string& where)
-  {
-    if(!error_.empty())
-      return false;
-    return fail(filename_ + (input_.has_failed() ? ": reading failed " : ": is truncated: it ends ") + where
-                + (input_.has_failed() ? "" : "; get a complete copy of the file"));
-  }
-
-  // the words of the next line that has some; comments are left out
-  bool next_words(std::vector<std::string_view>& words)
-  {
-    std::string_view line;
-    for(;;)
-    {
-      const Chunked_input::Line_status status = input_.next_line(line);
-      if(status == Chunked_input::Line_status::TOO_LONG)
-        return fail(filename_ + ":" + std::to_string(input_.line_number() + 1)
-                    + ": the line is too long for an ascii OFF file");
-      if(status == Chunked_input::Line_status::END)
-        return false;
-      split_at_blanks(line.substr(0, line.find('#')), words);
-      if(!words.empty())
-        return true;
-    }
-  }
-
   // OFF with what the vertices have besides a point: texture (ST), colour (C), normal (N)
   bool is_known_keyword(std::string_view word)
   {
@@ -113,10 +74,10 @@ private:
 
   bool read_header(std::uint64_t& count)
   {
-    if(input_.require(1) == 0)
-      return fail(filename_ + (input_.has_failed() ? ": cannot be read" : ": is empty"));
+    if(!check_start())
+      return false;
     std::vector<std::string_view> words;
-    if(!next_words(words))
+    if(!next_words(words, true))
       return fail_truncated("before its header");
     if(!is_known_keyword(words[0]))
       return fail_at_line("an OFF file starts with OFF, COFF, NOFF, CNOFF, STOFF or the like, this one with "
@@ -124,7 +85,7 @@ private:
     if(words.size() > 1 && words[1] == "BINARY")
       return fail_at_line("binary OFF files are not read; write it as ascii OFF, or as PLY");
     words.erase(words.begin());
-    if(words.empty() && !next_words(words))
+    if(words.empty() && !next_words(words, true))
       return fail_truncated("before its number of vertices");
     if(!parse_count(words[0], count) || words.size() > 3)
       return fail_at_line("the numbers of vertices, faces and edges are expected, found " + quote(words[0]));
@@ -138,7 +99,8 @@ private:
     return true;
   }
 
-  bool read_vertex(const std::vector<std::string_view>& words)
+  template <class Sink>
+  bool read_vertex(const std::vector<std::string_view>& words, Sink& sink)
   {
     if(words.size() < 3)
       return fail_at_line("a vertex with only " + plural(words.size(), "value", "values")
@@ -147,26 +109,8 @@ private:
     for(std::size_t i = 0; i < 3; ++i)
       if(!parse_number(words[i], values[i]))
         return fail_at_line(quote(words[i]) + " is no number");
-    Distance_sample sample = { values[0], values[1], values[2], 0. };
-    if(filter_(sample, input_.line_number()))
-      chunk_.push_back(sample);
-    return true;
+    return keep({ values[0], values[1], values[2], 0. }, input_.line_number(), sink);
   }
-
-  template <class Sink>
-  bool flush(Sink& sink)
-  {
-    const bool goes_on = chunk_.empty() || sink(chunk_.data(), chunk_.data() + chunk_.size());
-    chunk_.clear();
-    return goes_on || fail(filename_ + ": reading was stopped");
-  }
-
-  Chunked_input input_;
-  std::string filename_;
-  const Cloud_reader_options& options_;
-  Sample_filter filter_;
-  std::vector<Distance_sample> chunk_;
-  std::string error_;
 };
 
 } // namespace internal

@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_PCD_CLOUD_READER_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_PCD_CLOUD_READER_H
 
+#include <CGAL/Wireframe_extraction/IO/internal/Chunked_cloud_reader.h>
 #include <CGAL/Wireframe_extraction/IO/internal/Chunked_input.h>
 #include <CGAL/Wireframe_extraction/IO/internal/Sample_filter.h>
 #include <CGAL/Wireframe_extraction/IO/internal/byte_tools.h>
@@ -35,11 +36,11 @@ namespace internal {
 
 // Reads the points and distances of a file of the Point Cloud Library, ascii or binary, and hands them out chunk
 // by chunk.
-class Pcd_cloud_reader
+class Pcd_cloud_reader : private Chunked_cloud_reader
 {
 public:
   Pcd_cloud_reader(std::istream& stream, const std::string& filename, const Cloud_reader_options& options)
-    : input_(stream), filename_(filename), options_(options), filter_(options)
+    : Chunked_cloud_reader(stream, filename, options, "a PCD file")
   {}
 
   // reads all points; `sink(first, last)` gets chunk after chunk of usable samples, and stops the reading by
@@ -47,14 +48,14 @@ public:
   template <class Sink>
   bool read(Sink&& sink)
   {
-    if(input_.require(1) == 0)
-      return fail(filename_ + (input_.has_failed() ? ": cannot be read" : ": is empty"));
+    if(!check_start())
+      return false;
     return read_header() && find_wanted_fields() && (is_binary_ ? read_binary(sink) : read_ascii(sink))
            && filter_.is_cloud_usable(filename_, error_);
   }
 
-  const Sample_filter& filter() const { return filter_; }
-  const std::string& error() const { return error_; }
+  using Chunked_cloud_reader::filter;
+  using Chunked_cloud_reader::error;
 
 private:
   struct Field
@@ -64,44 +65,7 @@ private:
     std::size_t offset = 0, column = 0;  // in a binary point, and among the words of an ascii one
   };
 
-  static constexpr std::size_t samples_per_chunk = 4096, largest_count = 1000000;
-
-  bool fail(const std::string& error)
-  {
-    error_ = error;
-    return false;
-  }
-
-  bool fail_at_line(const std::string& what)
-  {
-    return fail(filename_ + ":" + std::to_string(input_.line_number()) + ": " + what);
-  }
-
-  bool fail_truncated(const std::string& where)
-  {
-    if(!error_.empty())
-      return false;
-    return fail(filename_ + (input_.has_failed() ? ": reading failed " : ": is truncated: it ends ") + where
-                + (input_.has_failed() ? "" : "; get a complete copy of the file"));
-  }
-
-  // the words of the next line that has some
-  bool next_words(std::vector<std::string_view>& words, bool has_comments)
-  {
-    std::string_view line;
-    for(;;)
-    {
-      const Chunked_input::Line_status status = input_.next_line(line);
-      if(status == Chunked_input::Line_status::TOO_LONG)
-        return fail(filename_ + ":" + std::to_string(input_.line_number() + 1)
-                    + ": the line is too long for a PCD file");
-      if(status == Chunked_input::Line_status::END)
-        return false;
-      split_at_blanks(has_comments ? line.substr(0, line.find('#')) : line, words);
-      if(!words.empty())
-        return true;
-    }
-  }
+  static constexpr std::size_t largest_count = 1000000;
 
   bool read_header()
   {
@@ -240,7 +204,7 @@ private:
       for(std::size_t i = 0; i < number_of_wanted_; ++i)
         if(!parse_number(words[wanted_[i].column], values[i]))
           return fail_at_line(quote(words[wanted_[i].column]) + " is no number");
-      if(!keep(values, input_.line_number(), sink))
+      if(!keep({ values[0], values[1], values[2], values[3] }, input_.line_number(), sink))
         return false;
     }
     return flush(sink) && (!next_words(words, false) ? error_.empty() : fail_at_end());
@@ -264,7 +228,7 @@ private:
         values[i] = load_number(to_lower(std::string_view(&wanted_[i].type, 1))[0], wanted_[i].size,
                                 input_.data() + wanted_[i].offset, !is_host_little_endian());
       input_.consume(point_size_);
-      if(!keep(values, 0, sink))
+      if(!keep({ values[0], values[1], values[2], values[3] }, 0, sink))
         return false;
     }
     return flush(sink) && (input_.require(point_size_) < point_size_ || fail_at_end());
@@ -282,35 +246,12 @@ private:
     return "after " + std::to_string(count) + " of " + std::to_string(number_of_points_) + " points";
   }
 
-  template <class Sink>
-  bool keep(const std::array<double, 4>& values, std::size_t line, Sink& sink)
-  {
-    Distance_sample sample = { values[0], values[1], values[2], values[3] };
-    if(filter_(sample, line))
-      chunk_.push_back(sample);
-    return chunk_.size() < samples_per_chunk || flush(sink);
-  }
-
-  template <class Sink>
-  bool flush(Sink& sink)
-  {
-    const bool goes_on = chunk_.empty() || sink(chunk_.data(), chunk_.data() + chunk_.size());
-    chunk_.clear();
-    return goes_on || fail(filename_ + ": reading was stopped");
-  }
-
-  Chunked_input input_;
-  std::string filename_;
-  const Cloud_reader_options& options_;
-  Sample_filter filter_;
   std::vector<std::string> names_;
   std::vector<Field> fields_;
   std::array<Field, 4> wanted_;
   std::size_t number_of_wanted_ = 4, point_size_ = 0, number_of_columns_ = 0;
   std::uint64_t number_of_points_ = 0;
   bool is_binary_ = false;
-  std::vector<Distance_sample> chunk_;
-  std::string error_;
 };
 
 } // namespace internal

@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_PLY_CLOUD_READER_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_PLY_CLOUD_READER_H
 
+#include <CGAL/Wireframe_extraction/IO/internal/Chunked_cloud_reader.h>
 #include <CGAL/Wireframe_extraction/IO/internal/Chunked_input.h>
 #include <CGAL/Wireframe_extraction/IO/internal/Ply_header.h>
 #include <CGAL/Wireframe_extraction/IO/internal/Sample_filter.h>
@@ -53,18 +54,18 @@ inline double load_number(Ply_type type, const char* bytes, bool is_swapped)
 
 // Reads the points and distances of a PLY file and hands them out chunk by chunk, so that neither a huge
 // file nor a header that promises one needs memory.
-class Ply_cloud_reader
+class Ply_cloud_reader : private Chunked_cloud_reader
 {
 public:
   Ply_cloud_reader(std::istream& stream, const std::string& filename, const Cloud_reader_options& options)
-    : input_(stream), filename_(filename), options_(options), filter_(options)
+    : Chunked_cloud_reader(stream, filename, options, "an ascii PLY file")
   {}
 
   // reads the header and checks it against the size of the file
   bool read_header()
   {
-    if(input_.require(1) == 0)
-      return fail(filename_ + (input_.has_failed() ? ": cannot be read" : ": is empty"));
+    if(!check_start())
+      return false;
     if(!header_.read(input_, filename_, error_))
       return false;
     vertex_element_ = header_.find_element("vertex");
@@ -100,8 +101,8 @@ public:
     return is_end_as_promised() && filter_.is_cloud_usable(filename_, error_);
   }
 
-  const Sample_filter& filter() const { return filter_; }
-  const std::string& error() const { return error_; }
+  using Chunked_cloud_reader::filter;
+  using Chunked_cloud_reader::error;
 
 private:
   struct Wanted_property
@@ -110,22 +111,6 @@ private:
     std::size_t offset = 0;           // in a binary entry without lists
     Ply_type type = Ply_type::FLOAT32;
   };
-
-  static constexpr std::size_t samples_per_chunk = 4096;
-
-  bool fail(const std::string& error)
-  {
-    error_ = error;
-    return false;
-  }
-
-  bool fail_truncated(const std::string& where)
-  {
-    if(!error_.empty())
-      return false;
-    return fail(filename_ + (input_.has_failed() ? ": reading failed " : ": is truncated: it ends ") + where
-                + (input_.has_failed() ? "" : "; get a complete copy of the file"));
-  }
 
   bool is_binary() const { return header_.format != Ply_format::ASCII; }
 
@@ -217,9 +202,9 @@ private:
 
   bool skip_lines(std::uint64_t count)
   {
-    std::string_view line;
+    std::vector<std::string_view> words;
     for(std::uint64_t i = 0; i < count; ++i)
-      if(!next_filled_line(line))
+      if(!next_words(words, false))
         return false;
     return true;
   }
@@ -261,15 +246,14 @@ private:
       const std::size_t wanted = static_cast<std::size_t>((std::min)(left, std::uint64_t(per_chunk)));
       const std::size_t count = input_.require(wanted * entry_size) / entry_size;
       for(std::size_t i = 0; i < count; ++i)
-        keep(load_sample(input_.data() + i * entry_size), 0);
+        if(!keep(load_sample(input_.data() + i * entry_size), 0, sink))
+          return false;
       input_.consume(count * entry_size);
-      if(!flush(sink))
-        return false;
       left -= count;
       if(count < wanted)
         return fail_truncated(after_vertices(number_of_vertices() - left));
     }
-    return true;
+    return flush(sink);
   }
 
   Distance_sample load_sample(const char* entry) const
@@ -309,12 +293,10 @@ private:
     const std::vector<Ply_property>& properties = header_.elements[vertex_element_].properties;
     std::vector<double> values(properties.size(), 0.);
     std::vector<std::string_view> words;
-    std::string_view line;
     for(std::uint64_t done = 0; done < number_of_vertices(); ++done)
     {
-      if(!next_filled_line(line))
+      if(!next_words(words, false))
         return fail_truncated(after_vertices(done));
-      split_at_blanks(line, words);
       if(!parse_values(properties, words, values))
         return false;
       if(!keep_values(values, input_.line_number(), sink))
@@ -349,26 +331,6 @@ private:
     return true;
   }
 
-  bool fail_at_line(const std::string& what)
-  {
-    return fail(filename_ + ":" + std::to_string(input_.line_number()) + ": " + what);
-  }
-
-  bool next_filled_line(std::string_view& line)
-  {
-    for(;;)
-    {
-      const Chunked_input::Line_status status = input_.next_line(line);
-      if(status == Chunked_input::Line_status::TOO_LONG)
-        return fail(filename_ + ":" + std::to_string(input_.line_number() + 1)
-                    + ": the line is too long for an ascii PLY file");
-      if(status == Chunked_input::Line_status::END)
-        return false;
-      if(!trim(line).empty())
-        return true;
-    }
-  }
-
   // ---- common to all ----
 
   std::string after_vertices(std::uint64_t count) const
@@ -379,23 +341,8 @@ private:
   template <class Sink>
   bool keep_values(const std::vector<double>& values, std::size_t line, Sink& sink)
   {
-    keep({ values[wanted_[0].index], values[wanted_[1].index], values[wanted_[2].index],
-           number_of_wanted_ == 4 ? values[wanted_[3].index] : 0. }, line);
-    return chunk_.size() < samples_per_chunk || flush(sink);
-  }
-
-  void keep(Distance_sample sample, std::size_t line)
-  {
-    if(filter_(sample, line))
-      chunk_.push_back(sample);
-  }
-
-  template <class Sink>
-  bool flush(Sink& sink)
-  {
-    const bool goes_on = chunk_.empty() || sink(chunk_.data(), chunk_.data() + chunk_.size());
-    chunk_.clear();
-    return goes_on || fail(filename_ + ": reading was stopped");
+    return keep({ values[wanted_[0].index], values[wanted_[1].index], values[wanted_[2].index],
+                  number_of_wanted_ == 4 ? values[wanted_[3].index] : 0. }, line, sink);
   }
 
   // a header that promises too little would drop points silently
@@ -404,28 +351,22 @@ private:
     for(std::size_t i = vertex_element_ + 1; i < header_.elements.size(); ++i)
       if(header_.elements[i].count > 0)
         return true;
-    std::string_view line;
+    std::vector<std::string_view> words;
     const bool has_more = is_binary()
       ? input_.require(static_cast<std::size_t>(header_.elements[vertex_element_].entry_size()))
         >= header_.elements[vertex_element_].entry_size()
-      : next_filled_line(line);
+      : next_words(words, false);
     if(!has_more)
       return error_.empty();
     return fail(filename_ + ": holds more than the " + std::to_string(number_of_vertices())
                 + " vertices its header promises; the header is wrong");
   }
 
-  Chunked_input input_;
-  std::string filename_;
-  const Cloud_reader_options& options_;
-  Sample_filter filter_;
   Ply_header header_;
   std::size_t vertex_element_ = 0;
   std::array<Wanted_property, 4> wanted_;
   std::size_t number_of_wanted_ = 4;
   bool swaps_bytes_ = false;
-  std::vector<Distance_sample> chunk_;
-  std::string error_;
 };
 
 } // namespace internal

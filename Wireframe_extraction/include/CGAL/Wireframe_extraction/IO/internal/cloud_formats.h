@@ -82,6 +82,15 @@ std::string take_results(const Reader& reader, std::size_t& number_of_skipped)
   return reader.error();
 }
 
+template <class Reader, class Sink>
+std::string read_with(std::istream& stream, const std::string& filename, const Cloud_reader_options& options, Sink& sink,
+                      std::size_t& number_of_skipped)
+{
+  Reader reader(stream, filename, options);
+  reader.read(sink);
+  return take_results(reader, number_of_skipped);
+}
+
 // Reads a cloud; `sink(first, last)` gets chunk after chunk of usable samples. Returns what went wrong, nothing if
 // all went well.
 template <class Sink>
@@ -109,23 +118,11 @@ std::string read_cloud(const std::string& filename, const Cloud_reader_options& 
     return take_results(reader, number_of_skipped);
   }
   case Cloud_format::TEXT:
-  {
-    Text_cloud_reader reader(stream, filename, options);
-    reader.read(sink);
-    return take_results(reader, number_of_skipped);
-  }
+    return read_with<Text_cloud_reader>(stream, filename, options, sink, number_of_skipped);
   case Cloud_format::PCD:
-  {
-    Pcd_cloud_reader reader(stream, filename, options);
-    reader.read(sink);
-    return take_results(reader, number_of_skipped);
-  }
+    return read_with<Pcd_cloud_reader>(stream, filename, options, sink, number_of_skipped);
   case Cloud_format::OFF:
-  {
-    Off_cloud_reader reader(stream, filename, options);
-    reader.read(sink);
-    return take_results(reader, number_of_skipped);
-  }
+    return read_with<Off_cloud_reader>(stream, filename, options, sink, number_of_skipped);
   case Cloud_format::NPY:
   {
     File_bytes bytes(stream);
