@@ -118,7 +118,7 @@ Wireframe_graph<GeomTraits> build_graph(const Wireframe_skeleton<GeomTraits>& sk
       CGAL_precondition(i < skeleton.size());
       seeds.push_back(i);
     }
-  const Network_tracer tracer(skeleton.band(), skeleton.contraction(), options);
+  const Network_tracer tracer(skeleton.band(), skeleton.surroundings(), skeleton.contraction(), options);
   return to_graph(tracer.run(seeds, proceed), skeleton, 0.9);
 }
 

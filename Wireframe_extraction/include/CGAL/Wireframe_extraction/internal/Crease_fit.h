@@ -77,6 +77,7 @@ class Crease_fit
   const Field_band& m_band;
   std::vector<std::size_t> m_ball;
   std::vector<Sample> m_samples;
+  std::vector<double> m_losses;     // of the samples, for each direction
 
   static constexpr int number_of_directions = 32;
 
@@ -165,7 +166,7 @@ private:
   }
 
   // the pair of directions whose half-lines pass closest to the points
-  void find_directions(double& first, double& second) const
+  void find_directions(double& first, double& second)
   {
     static const std::vector<std::pair<double, double> > directions = [] {
       std::vector<std::pair<double, double> > result;
@@ -174,22 +175,27 @@ private:
                             std::sin(2. * CGAL_PI * k / number_of_directions));
       return result;
     }();
-    std::vector<double> losses(m_samples.size() * number_of_directions);
-    for (std::size_t i = 0; i < m_samples.size(); ++i) {
-      const Sample& p = m_samples[i];
-      for (int k = 0; k < number_of_directions; ++k) {
+    // four sums at once, so that the compiler may use vector instructions; the samples are filled up with zeros
+    static constexpr std::size_t lanes = 4;
+    const std::size_t stride = (m_samples.size() + lanes - 1) / lanes * lanes;
+    m_losses.assign(stride * number_of_directions, 0.);
+    for (int k = 0; k < number_of_directions; ++k)
+      for (std::size_t i = 0; i < m_samples.size(); ++i) {
+        const Sample& p = m_samples[i];
         const double along = p.x * directions[k].first + p.y * directions[k].second;
         const double across = p.y * directions[k].first - p.x * directions[k].second;
         const double square = along > 0. ? across * across : p.x * p.x + p.y * p.y;
-        losses[i * number_of_directions + k] = p.weight * (std::min)(1., 4. * square);
+        m_losses[k * stride + i] = p.weight * (std::min)(1., 4. * square);
       }
-    }
     double best = (std::numeric_limits<double>::infinity)();
     for (int j = 0; j < number_of_directions; ++j)
       for (int k = j + 1; k < number_of_directions; ++k) {
-        double sum = 0.;
-        for (std::size_t i = 0; i < m_samples.size(); ++i)
-          sum += (std::min)(losses[i * number_of_directions + j], losses[i * number_of_directions + k]);
+        const double *a = m_losses.data() + j * stride, *b = m_losses.data() + k * stride;
+        double sums[lanes] = {};
+        for (std::size_t i = 0; i < stride; i += lanes)
+          for (std::size_t l = 0; l < lanes; ++l)
+            sums[l] += (std::min)(a[i + l], b[i + l]);
+        const double sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
         if (sum < best) {
           best = sum;
           first = 2. * CGAL_PI * j / number_of_directions;
@@ -201,25 +207,61 @@ private:
   struct Offset
   {
     double x, y, along, across;
+    double cosine, sine;       // of the strip's direction there
     int strip;
     bool is_valid;
   };
 
+  // a strip's direction, which turns along the curve
+  struct Turning_direction
+  {
+    double cosine, sine, twist;
+
+    Turning_direction(double angle, double twist) : cosine(std::cos(angle)), sine(std::sin(angle)), twist(twist) {}
+
+    void at(double s, double& c, double& v) const
+    {
+      // angles are small there, so that a few terms of the series are as good as the functions themselves
+      const double a = s * twist;
+      if (std::abs(a) > 0.5) {
+        const double sine_of_turn = std::sin(a), cosine_of_turn = std::cos(a);
+        c = cosine * cosine_of_turn - sine * sine_of_turn;
+        v = sine * cosine_of_turn + cosine * sine_of_turn;
+        return;
+      }
+      const double aa = a * a;
+      const double sine_of_turn = a * (1. - aa / 6. * (1. - aa / 20. * (1. - aa / 42. * (1. - aa / 72. * (1. - aa / 110.)))));
+      const double cosine_of_turn
+        = 1. - aa / 2. * (1. - aa / 12. * (1. - aa / 30. * (1. - aa / 56. * (1. - aa / 90. * (1. - aa / 132.)))));
+      c = cosine * cosine_of_turn - sine * sine_of_turn;
+      v = sine * cosine_of_turn + cosine * sine_of_turn;
+    }
+  };
+
+  // the directions of both strips for some parameters
+  struct Strips
+  {
+    Turning_direction directions[2];
+    explicit Strips(const Parameters& q) : directions{{q[6], q[10]}, {q[7], q[11]}} {}
+  };
+
   // the strip that the sample is nearest to, and where it is on it
-  static Offset locate(const Parameters& q, const Sample& p)
+  static Offset locate(const Parameters& q, const Strips& strips, const Sample& p)
   {
     Offset best;
     best.x = p.x - q[0] - p.s * q[2] - 0.5 * p.s * p.s * q[4];
     best.y = p.y - q[1] - p.s * q[3] - 0.5 * p.s * p.s * q[5];
     best.is_valid = false;
     for (int k = 0; k < 2; ++k) {
-      const double angle = q[6 + k] + p.s * q[10 + k];
-      const double c = std::cos(angle), s = std::sin(angle);
+      double c, s;
+      strips.directions[k].at(p.s, c, s);
       const double along = best.x * c + best.y * s;
       const double across = best.y * c - best.x * s - 0.5 * q[8 + k] * along * along;
       if (along > 0. && (!best.is_valid || std::abs(across) < std::abs(best.across))) {
         best.along = along;
         best.across = across;
+        best.cosine = c;
+        best.sine = s;
         best.strip = k;
         best.is_valid = true;
       }
@@ -229,46 +271,143 @@ private:
 
   static double robust_weight(double ratio) { return 1. / ((1. + ratio * ratio) * (1. + ratio * ratio)); }
 
+  // Sums for the normal equations. The derivatives by the six parameters of the apex are those by its position in the
+  // cross-section, times 1, s and s^2 / 2: sums over powers of s hold all of their products.
+  struct Normal_sums
+  {
+    double xx[5] = {}, xy[5] = {}, yy[5] = {};    // of the apex, by powers of s
+    double x[3] = {}, y[3] = {};                  // right-hand side
+    struct Strip
+    {
+      double angle_angle[3] = {}, angle_curvature[2] = {}, curvature_curvature = 0.;
+      double x_angle[4] = {}, y_angle[4] = {}, x_curvature[3] = {}, y_curvature[3] = {};
+      double angle[2] = {}, curvature = 0.;       // right-hand side
+    } strips[2];
+    double x_bias[3] = {}, y_bias[3] = {}, bias_bias = 0., bias = 0.;
+
+    void add_apex(const double* powers, double by_x, double by_y, double weight, double e)
+    {
+      const double wx = weight * by_x, wy = weight * by_y;
+      for (int k = 0; k < 5; ++k) {
+        xx[k] += wx * by_x * powers[k];
+        xy[k] += wx * by_y * powers[k];
+        yy[k] += wy * by_y * powers[k];
+      }
+      for (int k = 0; k < 3; ++k) {
+        x[k] -= wx * e * powers[k];
+        y[k] -= wy * e * powers[k];
+      }
+    }
+
+    void add_strip(int i, const double* powers, double by_x, double by_y, double by_angle, double by_curvature,
+                   double weight, double e)
+    {
+      Strip& strip = strips[i];
+      const double wa = weight * by_angle, wc = weight * by_curvature;
+      for (int k = 0; k < 3; ++k)
+        strip.angle_angle[k] += wa * by_angle * powers[k];
+      for (int k = 0; k < 2; ++k)
+        strip.angle_curvature[k] += wa * by_curvature * powers[k];
+      strip.curvature_curvature += wc * by_curvature;
+      for (int k = 0; k < 4; ++k) {
+        strip.x_angle[k] += wa * by_x * powers[k];
+        strip.y_angle[k] += wa * by_y * powers[k];
+      }
+      for (int k = 0; k < 3; ++k) {
+        strip.x_curvature[k] += wc * by_x * powers[k];
+        strip.y_curvature[k] += wc * by_y * powers[k];
+      }
+      for (int k = 0; k < 2; ++k)
+        strip.angle[k] -= wa * e * powers[k];
+      strip.curvature -= wc * e;
+    }
+
+    void add_bias(const double* powers, double by_x, double by_y, double weight, double e)
+    {
+      for (int k = 0; k < 3; ++k) {
+        x_bias[k] -= weight * by_x * powers[k];
+        y_bias[k] -= weight * by_y * powers[k];
+      }
+      bias_bias += weight;
+      bias += weight * e;
+    }
+
+    void assemble(Matrix& hessian, Parameters& gradient) const
+    {
+      static constexpr double factors[3] = {1., 1., 0.5};
+      hessian.setZero();
+      for (int j = 0; j < 3; ++j) {
+        for (int k = 0; k < 3; ++k) {
+          const double factor = factors[j] * factors[k];
+          hessian(2 * j, 2 * k) = factor * xx[j + k];
+          hessian(2 * j, 2 * k + 1) = hessian(2 * k + 1, 2 * j) = factor * xy[j + k];
+          hessian(2 * j + 1, 2 * k + 1) = factor * yy[j + k];
+        }
+        gradient[2 * j] = factors[j] * x[j];
+        gradient[2 * j + 1] = factors[j] * y[j];
+        hessian(2 * j, 12) = factors[j] * x_bias[j];
+        hessian(2 * j + 1, 12) = factors[j] * y_bias[j];
+        for (int i = 0; i < 2; ++i) {
+          const Strip& strip = strips[i];
+          hessian(2 * j, 6 + i) = factors[j] * strip.x_angle[j];
+          hessian(2 * j + 1, 6 + i) = factors[j] * strip.y_angle[j];
+          hessian(2 * j, 8 + i) = factors[j] * strip.x_curvature[j];
+          hessian(2 * j + 1, 8 + i) = factors[j] * strip.y_curvature[j];
+          hessian(2 * j, 10 + i) = factors[j] * strip.x_angle[j + 1];
+          hessian(2 * j + 1, 10 + i) = factors[j] * strip.y_angle[j + 1];
+        }
+      }
+      for (int i = 0; i < 2; ++i) {
+        const Strip& strip = strips[i];
+        hessian(6 + i, 6 + i) = strip.angle_angle[0];
+        hessian(6 + i, 10 + i) = strip.angle_angle[1];
+        hessian(10 + i, 10 + i) = strip.angle_angle[2];
+        hessian(6 + i, 8 + i) = strip.angle_curvature[0];
+        hessian(8 + i, 10 + i) = strip.angle_curvature[1];
+        hessian(8 + i, 8 + i) = strip.curvature_curvature;
+        gradient[6 + i] = strip.angle[0];
+        gradient[10 + i] = strip.angle[1];
+        gradient[8 + i] = strip.curvature;
+      }
+      hessian(12, 12) = bias_bias;
+      gradient[12] = bias;
+    }
+  };
+
   void accumulate(const Parameters& q, const Crease_fit_options& options, double scale, Matrix& hessian,
                   Parameters& gradient) const
   {
-    hessian.setZero();
-    gradient.setZero();
+    Normal_sums sums;
+    const Strips strips(q);
     const double surface_weight = 1. / (options.surface_noise * options.surface_noise);
     const double field_weight = 1. / (options.field_noise * options.field_noise);
-    const double field_scale = (std::max)(2.5 * options.field_noise, scale);
+    const double per_scale = 1. / scale, per_field_scale = 1. / (std::max)(2.5 * options.field_noise, scale);
     for (const Sample& p : m_samples) {
-      const Offset offset = locate(q, p);
-      Parameters j = Parameters::Zero();
+      const Offset offset = locate(q, strips, p);
+      const double square = p.s * p.s;
+      const double powers[5] = {1., p.s, square, square * p.s, square * square};
       if (offset.is_valid) {
-        const int k = offset.strip;
-        const double angle = q[6 + k] + p.s * q[10 + k];
-        const double c = std::cos(angle), s = std::sin(angle);
-        const double curvature = q[8 + k];
-        // derivative of the residual `across` by the position in the cross-section, and by the angle
-        const double by_x = -s - curvature * offset.along * c, by_y = c - curvature * offset.along * s;
+        const double curvature = q[8 + offset.strip];
+        // derivatives of the residual `across` by the apex, and by the angle
+        const double by_x = offset.sine + curvature * offset.along * offset.cosine,
+                     by_y = curvature * offset.along * offset.sine - offset.cosine;
         const double by_angle = -offset.along * (1. + curvature * offset.across);
-        set_position_derivatives(j, -by_x, -by_y, p.s);
-        j[6 + k] = by_angle;
-        j[8 + k] = -0.5 * offset.along * offset.along;
-        j[10 + k] = p.s * by_angle;
-        const double weight = p.weight * surface_weight * robust_weight(offset.across / scale);
-        hessian.selfadjointView<Eigen::Lower>().rankUpdate(j, weight);
-        gradient.noalias() -= weight * offset.across * j;
+        const double weight = p.weight * surface_weight * robust_weight(offset.across * per_scale);
+        sums.add_apex(powers, by_x, by_y, weight, offset.across);
+        sums.add_strip(offset.strip, powers, by_x, by_y, by_angle, -0.5 * offset.along * offset.along, weight,
+                       offset.across);
       }
-      const double distance = std::hypot(offset.x, offset.y);
+      const double distance = std::sqrt(offset.x * offset.x + offset.y * offset.y);
       if (distance > 1e-9) {
-        const double divisor = (std::max)(distance, 0.05);
+        const double per_distance = 1. / (std::max)(distance, 0.05);
         const double e = p.distance - q[12] - distance;
-        j.setZero();
-        set_position_derivatives(j, offset.x / divisor, offset.y / divisor, p.s);
-        j[12] = -1.;
-        const double weight = p.weight * field_weight * robust_weight(e / field_scale)
+        const double weight = p.weight * field_weight * robust_weight(e * per_field_scale)
           / (1. + 0.5 * p.distance * p.distance);
-        hessian.selfadjointView<Eigen::Lower>().rankUpdate(j, weight);
-        gradient.noalias() -= weight * e * j;
+        sums.add_apex(powers, offset.x * per_distance, offset.y * per_distance, weight, e);
+        sums.add_bias(powers, offset.x * per_distance, offset.y * per_distance, weight, e);
       }
     }
+    sums.assemble(hessian, gradient);
     // expected sizes: of curvature and twist, and of the bias
     static constexpr double deviations[size] = {0., 0., 0., 0., 0.12, 0.12, 0., 0., 0.08, 0.08, 0.06, 0.06, 0.};
     for (int k = 0; k < size; ++k) {
@@ -278,24 +417,15 @@ private:
       if (deviation > 0.)
         gradient[k] -= information * q[k];
     }
-    hessian = hessian.selfadjointView<Eigen::Lower>();
-  }
-
-  static void set_position_derivatives(Parameters& j, double by_x, double by_y, double s)
-  {
-    j[0] = by_x;
-    j[1] = by_y;
-    j[2] = s * by_x;
-    j[3] = s * by_y;
-    j[4] = 0.5 * s * s * by_x;
-    j[5] = 0.5 * s * s * by_y;
+    hessian = hessian.selfadjointView<Eigen::Upper>();
   }
 
   void measure(const Parameters& q, const Crease_fit_options& options, Crease& crease, const Matrix& hessian) const
   {
     double squares = 0., total = 0.;
+    const Strips strips(q);
     for (const Sample& p : m_samples) {
-      const Offset offset = locate(q, p);
+      const Offset offset = locate(q, strips, p);
       if (std::hypot(offset.x, offset.y) > 3. || std::abs(p.s) > 2.)
         continue;
       const double e = offset.is_valid ? offset.across : (std::min)(1., std::hypot(offset.x, offset.y));
@@ -303,12 +433,17 @@ private:
       total += p.weight;
     }
     crease.residual = total > 0. ? std::sqrt(squares / total) : 1.;
-    const Matrix covariance = hessian.ldlt().solve(Matrix::Identity());
+    // the covariance of the apex, and of the strips' directions
+    static constexpr int wanted[4] = {0, 1, 6, 7};
+    Eigen::Matrix<double, size, 4> units = Eigen::Matrix<double, size, 4>::Zero();
+    for (int k = 0; k < 4; ++k)
+      units(wanted[k], k) = 1.;
+    const Eigen::Matrix<double, size, 4> covariance = hessian.ldlt().solve(units);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance.topLeftCorner<2, 2>(), Eigen::EigenvaluesOnly);
     const double inflation = (std::max)(1., crease.residual / options.surface_noise);
     crease.deviation = inflation * std::sqrt((std::max)(0., solver.eigenvalues()[1]));
     crease.fold_deviation = inflation
-      * std::sqrt((std::max)(0., covariance(6, 6) + covariance(7, 7) - 2. * covariance(6, 7)));
+      * std::sqrt((std::max)(0., covariance(6, 2) + covariance(7, 3) - 2. * covariance(6, 3)));
   }
 };
 

@@ -112,23 +112,25 @@ public:
   // Newton steps from a parameter that is close
   double foot(const Vector& p, double u) const
   {
-    double best = u, best_distance = (at(u) - p).squaredNorm();
+    Basis b = basis(u);
+    Vector offset = combine(b) - p;
+    double best = u, best_distance = offset.squaredNorm();
     for (int k = 0; k < 5; ++k) {
-      const Basis b = basis(u);
-      const Vector offset = combine(b) - p, d1 = combine(b, 1), d2 = combine(b, 2);
+      const Vector d1 = combine(b, 1), d2 = combine(b, 2);
       double slope = d1.squaredNorm() + offset.dot(d2);
       if (!(slope > 0.3 * d1.squaredNorm()))
         slope = d1.squaredNorm();   // Gauss-Newton near centers of curvature
       if (!(slope > 0.))
         break;
       const double next = bring_into_range(u - offset.dot(d1) / slope);
-      const double distance = (at(next) - p).squaredNorm();
-      if (distance < best_distance) {
-        best = next;
-        best_distance = distance;
-      }
       if (std::abs(next - u) < 1e-10 * (back() - front()))
         break;
+      b = basis(next);
+      offset = combine(b) - p;
+      if (offset.squaredNorm() < best_distance) {
+        best = next;
+        best_distance = offset.squaredNorm();
+      }
       u = next;
     }
     return best;

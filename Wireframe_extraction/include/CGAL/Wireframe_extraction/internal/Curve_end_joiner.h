@@ -373,23 +373,27 @@ private:
     std::sort(splits.begin(), splits.end(), [](const Split& a, const Split& b) {
       return std::make_tuple(a.curve, b.hit.segment, a.node) < std::make_tuple(b.curve, a.hit.segment, b.node);
     });
-    for (const Split& split : splits)
-      split_curve(split.curve, split.hit, split.node);
+    for (std::size_t k = 0; k < splits.size(); ++k) {
+      const std::size_t shift = split_curve(splits[k].curve, splits[k].hit, splits[k].node);
+      for (std::size_t other = k + 1; other < splits.size() && splits[other].curve == splits[k].curve; ++other)
+        splits[other].hit.segment += shift;
+    }
   }
 
-  void split_curve(std::size_t c, const Segment_grid::Hit& hit, std::size_t node)
+  // returns by how much the indices of the segments before grow: a closed curve begins anew where it is opened
+  std::size_t split_curve(std::size_t c, const Segment_grid::Hit& hit, std::size_t node)
   {
     const Curve_network& network = m_network;
     std::vector<Vector> points = network.curves[c].points;
     if (hit.segment + 1 >= points.size())
-      return;
+      return 0;
     const auto incidences = m_network.incidences();
     if (incidences[node].size() == 1) {
       m_network.nodes[node] = hit.point;
       attach(incidences[node].front(), node);
       points = network.curves[c].points;
       if (hit.segment + 1 >= points.size())
-        return;
+        return 0;
     }
     const Vector position = m_network.nodes[node];
     if (network.curves[c].is_closed_without_node()) {
@@ -402,7 +406,7 @@ private:
       curve.points = opened;
       curve.nodes = {node, node};
       set_tips(curve);
-      return;
+      return points.size() - 1 - hit.segment;
     }
     Network_curve second = network.curves[c];
     second.points.assign(points.begin() + hit.segment + 1, points.end());
@@ -415,6 +419,7 @@ private:
     first.nodes[1] = node;
     set_tip(first, 1);
     m_network.curves.push_back(second);
+    return 0;
   }
 
   static std::vector<Vector> straight(const Vector& a, const Vector& b)

@@ -13,12 +13,14 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CURVE_EVIDENCE_H
 
 #include <CGAL/Wireframe_extraction/internal/Curve_network.h>
-#include <CGAL/Wireframe_extraction/internal/Segment_grid.h>
+#include <CGAL/Wireframe_extraction/internal/Polyline_feet.h>
 
-#include <Eigen/Geometry>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,31 +35,13 @@ class Curve_evidence
   double m_noise, m_least_tolerance;
 
   static constexpr double farthest = 4.;
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   double loss(std::size_t i, double distance) const
   {
     const double tolerance = (std::max)(m_least_tolerance, 2.5 * m_band.deviation(i, m_noise));
     const double ratio = (m_band.distances[i] - distance) / tolerance;
     return (std::min)(1., ratio * ratio);
-  }
-
-  // calls visitor(i, distance) for the points near a polyline
-  template <class Visitor>
-  void visit_around(const std::vector<Vector>& polyline, const Visitor& visitor) const
-  {
-    Segment_grid grid;
-    grid.add(0, polyline);
-    Eigen::AlignedBox3d box;
-    for (const Vector& p : polyline)
-      box.extend(p);
-    std::vector<std::size_t> ball;
-    m_band.search.query(box.center(), 0.5 * box.diagonal().norm() + farthest, ball);
-    for (std::size_t i : ball) {
-      const Segment_grid::Hit hit = grid.nearest(m_band.points[i], farthest,
-                                                 [](const Segment_grid::Hit&) { return true; });
-      if (hit.is_valid())
-        visitor(i, hit.distance);
-    }
   }
 
 public:
@@ -74,32 +58,35 @@ public:
   // polylines[c] may be empty: no such curve
   Scores scores(const std::vector<const std::vector<Vector>*>& polylines) const
   {
-    Segment_grid grid;
+    struct Two_nearest { double first = farthest, second = farthest; std::size_t curve = none, other = none; };
+    std::vector<Two_nearest> nearest(m_band.size());
     for (std::size_t c = 0; c < polylines.size(); ++c)
       if (polylines[c])
-        grid.add(c, *polylines[c]);
+        visit_feet(m_band, c, *polylines[c], farthest, [&](std::size_t i, const Polyline_foot& foot) {
+          Two_nearest& of_point = nearest[i];
+          if (of_point.curve == c)
+            of_point.first = (std::min)(of_point.first, foot.distance);
+          else if (foot.distance < of_point.first) {
+            of_point.second = of_point.first;
+            of_point.other = of_point.curve;
+            of_point.first = foot.distance;
+            of_point.curve = c;
+          } else if (foot.distance < of_point.second) {
+            of_point.second = foot.distance;
+            of_point.other = c;
+          }
+        });
     Scores result;
     result.gains.assign(polylines.size(), 0.);
     result.neighbors.resize(polylines.size());
-    const double far = farthest;
     for (std::size_t i = 0; i < m_band.size(); ++i) {
-      std::size_t first = Segment_grid::no_curve, second = Segment_grid::no_curve;
-      double d1 = far, d2 = far;
-      grid.visit(m_band.points[i], far, [&](const Segment_grid::Hit& hit) {
-        if (hit.curve == first)
-          d1 = (std::min)(d1, hit.distance);
-        else if (hit.distance < d1) {
-          d2 = d1; second = first;
-          d1 = hit.distance; first = hit.curve;
-        } else if (hit.distance < d2) {
-          d2 = hit.distance; second = hit.curve;
-        }
-      });
-      if (first == Segment_grid::no_curve)
+      const Two_nearest& of_point = nearest[i];
+      if (of_point.curve == none)
         continue;
-      result.gains[first] += loss(i, d2) - loss(i, d1);
-      if (second != Segment_grid::no_curve && loss(i, d2) < 1.)
-        result.neighbors[first].push_back(second);
+      const double without = loss(i, of_point.second);
+      result.gains[of_point.curve] += without - loss(i, of_point.first);
+      if (of_point.other != none && without < 1.)
+        result.neighbors[of_point.curve].push_back(of_point.other);
     }
     return result;
   }
@@ -107,33 +94,34 @@ public:
   // of every point of the band to the nearest polyline, at most 4
   std::vector<double> distances(const std::vector<const std::vector<Vector>*>& polylines) const
   {
-    Segment_grid grid;
-    for (std::size_t c = 0; c < polylines.size(); ++c)
-      if (polylines[c])
-        grid.add(c, *polylines[c]);
     std::vector<double> result(m_band.size(), farthest);
-    for (std::size_t i = 0; i < m_band.size(); ++i)
-      grid.visit(m_band.points[i], farthest,
-                 [&](const Segment_grid::Hit& hit) { result[i] = (std::min)(result[i], hit.distance); });
+    for (const std::vector<Vector>* polyline : polylines)
+      if (polyline)
+        add(*polyline, result);
     return result;
   }
 
   // lowers the distances to those with one more polyline
   void add(const std::vector<Vector>& polyline, std::vector<double>& distances) const
   {
-    visit_around(polyline, [&](std::size_t i, double distance) {
-      distances[i] = (std::min)(distances[i], distance);
+    visit_feet(m_band, 0, polyline, farthest, [&](std::size_t i, const Polyline_foot& foot) {
+      distances[i] = (std::min)(distances[i], foot.distance);
     });
   }
 
   // how much better the field would be explained with one more polyline; `others` are the distances without it
   double gain_of(const std::vector<Vector>& polyline, const std::vector<double>& others) const
   {
-    double gain = 0.;
-    visit_around(polyline, [&](std::size_t i, double distance) {
-      gain += loss(i, others[i])
-        - loss(i, (std::min)(others[i], distance));
+    // a point has a foot on every run of segments
+    std::map<std::size_t, double> nearest;
+    visit_feet(m_band, 0, polyline, farthest, [&](std::size_t i, const Polyline_foot& foot) {
+      const auto known = nearest.emplace(i, foot.distance).first;
+      known->second = (std::min)(known->second, foot.distance);
     });
+    double gain = 0.;
+    for (const auto& point : nearest)
+      gain += loss(point.first, others[point.first])
+        - loss(point.first, (std::min)(others[point.first], point.second));
     return gain;
   }
 
@@ -141,16 +129,19 @@ public:
   double loss_around(const Vector& center, double radius,
                      const std::vector<const std::vector<Vector>*>& polylines) const
   {
-    Segment_grid grid;
-    for (std::size_t c = 0; c < polylines.size(); ++c)
-      grid.add(c, *polylines[c]);
+    std::vector<std::pair<Vector, Vector> > segments;     // that may matter
+    for (const std::vector<Vector>* polyline : polylines)
+      for (std::size_t k = 1; k < polyline->size(); ++k)
+        if (squared_distance_to_segment(center, (*polyline)[k - 1], (*polyline)[k]) < CGAL::square(radius + farthest))
+          segments.emplace_back((*polyline)[k - 1], (*polyline)[k]);
     std::vector<std::size_t> ball;
     m_band.search.query(center, radius, ball);
     double sum = 0.;
     for (std::size_t i : ball) {
-      const Segment_grid::Hit hit = grid.nearest(m_band.points[i], farthest,
-                                                 [](const Segment_grid::Hit&) { return true; });
-      sum += loss(i, (hit.is_valid() ? hit.distance : farthest));
+      double nearest = farthest * farthest;
+      for (const auto& segment : segments)
+        nearest = (std::min)(nearest, squared_distance_to_segment(m_band.points[i], segment.first, segment.second));
+      sum += loss(i, std::sqrt(nearest));
     }
     return sum;
   }

@@ -13,7 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CURVE_STATIONS_H
 
 #include <CGAL/Wireframe_extraction/internal/Field_band.h>
-#include <CGAL/Wireframe_extraction/internal/Segment_grid.h>
+#include <CGAL/Wireframe_extraction/internal/Polyline_feet.h>
 
 #include <Eigen/Dense>
 
@@ -62,24 +62,22 @@ public:
   // for each polyline the points nearest to it, except those beyond its ends
   std::vector<std::vector<Curve_support> > find_support(const std::vector<std::vector<Vector> >& polylines) const
   {
-    Segment_grid grid;
     std::vector<std::vector<double> > lengths;
-    for (std::size_t c = 0; c < polylines.size(); ++c) {
-      grid.add(c, polylines[c]);
-      lengths.push_back(arc_lengths(polylines[c]));
-    }
+    for (const std::vector<Vector>& polyline : polylines)
+      lengths.push_back(arc_lengths(polyline));
+    const std::vector<Polyline_foot> feet = nearest_feet(m_band, pointers_to(polylines), m_support_distance + 1.);
     std::vector<std::vector<Curve_support> > support(polylines.size());
     for (std::size_t i = 0; i < m_band.size(); ++i) {
-      const Segment_grid::Hit hit = grid.nearest(m_band.points[i], m_support_distance + 1.,
-                                                 [](const Segment_grid::Hit&) { return true; });
-      if (!hit.is_valid())
+      if (!feet[i].is_valid())
         continue;
-      const std::vector<Vector>& polyline = polylines[hit.curve];
-      const double u = lengths[hit.curve][hit.segment] + (hit.point - polyline[hit.segment]).norm();
+      const std::size_t c = feet[i].curve;
+      const std::vector<Vector>& polyline = polylines[c];
+      const Vector foot = feet[i].point(polyline);
+      const double u = lengths[c][feet[i].segment] + (foot - polyline[feet[i].segment]).norm();
       const bool is_closed = polyline.front() == polyline.back();
       // the nearest point of an open curve's end says nothing of where the curve runs
-      if (is_closed || (u > 1e-6 && u < lengths[hit.curve].back() - 1e-6))
-        support[hit.curve].push_back({i, u, hit.point});
+      if (is_closed || (u > 1e-6 && u < lengths[c].back() - 1e-6))
+        support[c].push_back({i, u, foot});
     }
     return support;
   }

@@ -14,7 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/internal/Cubic_spline.h>
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
-#include <CGAL/Wireframe_extraction/internal/Segment_grid.h>
+#include <CGAL/Wireframe_extraction/internal/Polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/ceres_support.h>
 #include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
 
@@ -270,28 +270,27 @@ private:
   // the points that lie near the curves, each with the nearest curve and its foot there
   void find_support()
   {
-    Segment_grid grid;
+    std::vector<std::vector<Vector> > polylines(m_curves.size());
     std::vector<std::vector<double> > parameters(m_curves.size());
     for (std::size_t c = 0; c < m_curves.size(); ++c) {
       const Cubic_spline& spline = m_curves[c].spline;
       const double length = spline.back() - spline.front();
       const std::size_t count = (std::max)(std::size_t(8), static_cast<std::size_t>(2. * length));
-      std::vector<Vector> polyline;
       for (std::size_t k = 0; k <= count; ++k) {
         parameters[c].push_back(spline.front() + length * double(k) / double(count));
-        polyline.push_back(spline.at(parameters[c].back()));
+        polylines[c].push_back(spline.at(parameters[c].back()));
       }
-      grid.add(c, polyline);
     }
+    const std::vector<Polyline_foot> feet
+      = nearest_feet(m_band, pointers_to(polylines), m_options.support_distance + 1.);
     m_support.clear();
     for (std::size_t i = 0; i < m_band.size(); ++i) {
-      const Segment_grid::Hit hit = grid.nearest(m_band.points[i], m_options.support_distance + 1.,
-                                                 [](const Segment_grid::Hit&) { return true; });
-      if (!hit.is_valid())
+      if (!feet[i].is_valid())
         continue;
-      const Cubic_spline& spline = m_curves[hit.curve].spline;
-      const double middle = 0.5 * (parameters[hit.curve][hit.segment] + parameters[hit.curve][hit.segment + 1]);
-      m_support.push_back({i, hit.curve, spline.foot(m_band.points[i], middle)});
+      const std::vector<double>& of_curve = parameters[feet[i].curve];
+      const double start = of_curve[feet[i].segment]
+        + feet[i].share * (of_curve[feet[i].segment + 1] - of_curve[feet[i].segment]);
+      m_support.push_back({i, feet[i].curve, m_curves[feet[i].curve].spline.foot(m_band.points[i], start)});
     }
   }
 

@@ -17,6 +17,7 @@
 #include <CGAL/Wireframe_extraction/internal/Curve_evidence.h>
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/internal/Spline_network_fit.h>
+#include <CGAL/Wireframe_extraction/internal/Surface_evidence.h>
 
 #include <algorithm>
 #include <functional>
@@ -29,15 +30,17 @@ namespace internal {
 // Traces curves from the seeds, best first, and joins them to a network.
 class Network_tracer
 {
-  const Field_band& m_band;
+  const Field_band &m_band, &m_surroundings;
   const Contraction& m_contraction;
   const Extraction_options& m_options;
   Tracing_options m_tracing;
   Joining_options m_joining;
 
 public:
-  Network_tracer(const Field_band& band, const Contraction& contraction, const Extraction_options& options)
-    : m_band(band), m_contraction(contraction), m_options(options)
+  // `surroundings` may be empty: then the surface says nothing
+  Network_tracer(const Field_band& band, const Field_band& surroundings, const Contraction& contraction,
+                 const Extraction_options& options)
+    : m_band(band), m_surroundings(surroundings), m_contraction(contraction), m_options(options)
   {
     m_tracing.noise = contraction.noise;
     m_tracing.radius = options.fitting_radius;
@@ -80,6 +83,8 @@ private:
     joiner.prune(prune);
     joiner.join();
     joiner.prune(prune);
+    if (m_surroundings.size() > 0)
+      joiner.prune([&](const std::vector<const std::vector<Vector>*>& polylines) { return folded(polylines); });
     if (is_smooth) {
       const Curve_evidence sharp_evidence(m_band, m_contraction.noise, 0.06);
       joiner.round_off([&](const Vector& center, double radius, const std::vector<const std::vector<Vector>*>& lines) {
@@ -97,6 +102,18 @@ private:
       joiner.drop_spurs(4. + 5. * m_contraction.noise, 2. + 4. * m_contraction.noise);
     }
     return network;
+  }
+
+  // returns which of the curves the surface does not rule out
+  std::vector<char> folded(const std::vector<const std::vector<Vector>*>& polylines) const
+  {
+    // of half the fold's angle: the surface turns by less than 17 degrees, beyond doubt
+    static constexpr double least_slope = 0.15;
+    const std::vector<Surface_evidence::Fold> folds = Surface_evidence(m_surroundings).folds(polylines);
+    std::vector<char> keep(polylines.size());
+    for (std::size_t c = 0; c < polylines.size(); ++c)
+      keep[c] = polylines[c] && !(folds[c].is_known && folds[c].slope + folds[c].deviation < least_slope);
+    return keep;
   }
 
   // whether most of the points near a position say so
