@@ -13,33 +13,15 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CONTRACTION_H
 
 #include <CGAL/Wireframe_extraction/internal/Curve_tracer.h>
+#include <CGAL/Wireframe_extraction/internal/for_each_piece.h>
 #include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
-
 
 #include <cstddef>
 #include <vector>
 
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#endif
-
 namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
-
-// calls work(begin, end) on pieces of [0, count), at the same time where there are threads for it
-template <class Work>
-void for_each_piece(std::size_t count, const Work& work)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 256),
-                    [&](const tbb::blocked_range<std::size_t>& range) { work(range.begin(), range.end()); });
-#else
-  work(std::size_t(0), count);
-#endif
-}
 
 // For every skeleton point the local curve that the field draws near it.
 struct Contraction

@@ -12,6 +12,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CREASE_FIT_H
 
 #include <CGAL/Wireframe_extraction/internal/Local_curve.h>
+#include <CGAL/Wireframe_extraction/internal/Section_sums.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -102,16 +103,18 @@ public:
     else
       find_directions(q[6], q[7]);
     Matrix hessian;
+    const double least_scale = 2.5 * options.surface_noise;
+    double scale = (std::max)(least_scale, 0.6);
     for (int k = 0; k < options.iterations; ++k) {
-      // the outliers leave gradually, or the first guess would decide alone
-      const double scale = (std::max)(2.5 * options.surface_noise, 0.6 * std::pow(0.6, k));
       Parameters gradient;
       accumulate(q, options, scale, hessian, gradient);
       const Parameters delta = hessian.ldlt().solve(gradient);
       const double length = delta.head<2>().norm() + delta.segment<2>(6).norm();
       q += length > 0.5 ? Parameters(0.5 / length * delta) : delta;
-      if (length < 1e-4 && scale == 2.5 * options.surface_noise)
+      if (length < 1e-4 && scale == least_scale)
         break;
+      // the outliers leave gradually, or the first guess would decide alone
+      scale = (std::max)(least_scale, 0.6 * scale);
     }
     const double bend_x = start.bend.dot(normal), bend_y = start.bend.dot(binormal);
     crease.curve.point = start.point + q[0] * normal + q[1] * binormal;
@@ -134,17 +137,21 @@ public:
   {
     Crease best;
     best.deviation = 10.;
+    // returns whether smaller balls may show more: where the surface is as it should be, they have less data only
     const auto try_ball = [&](double factor, double shift) {
       Crease_fit_options scaled = options;
       scaled.radius *= factor;
       const Crease crease = fit(start, start.point - shift * scaled.radius * start.tangent, scaled, previous);
       if (crease.deviation < best.deviation)
         best = crease;
+      return crease.residual > options.surface_noise;
     };
     for (double factor : {1.5, 1., 0.6, 0.4}) {
-      try_ball(factor, 0.);
+      const bool may_show_more = try_ball(factor, 0.);
       if (previous && factor > 0.5)
         try_ball(factor, 0.6);
+      if (!may_show_more)
+        break;
     }
     return best;
   }
@@ -271,12 +278,10 @@ private:
 
   static double robust_weight(double ratio) { return 1. / ((1. + ratio * ratio) * (1. + ratio * ratio)); }
 
-  // Sums for the normal equations. The derivatives by the six parameters of the apex are those by its position in the
-  // cross-section, times 1, s and s^2 / 2: sums over powers of s hold all of their products.
+  // sums for the normal equations
   struct Normal_sums
   {
-    double xx[5] = {}, xy[5] = {}, yy[5] = {};    // of the apex, by powers of s
-    double x[3] = {}, y[3] = {};                  // right-hand side
+    Section_sums apex;
     struct Strip
     {
       double angle_angle[3] = {}, angle_curvature[2] = {}, curvature_curvature = 0.;
@@ -284,20 +289,6 @@ private:
       double angle[2] = {}, curvature = 0.;       // right-hand side
     } strips[2];
     double x_bias[3] = {}, y_bias[3] = {}, bias_bias = 0., bias = 0.;
-
-    void add_apex(const double* powers, double by_x, double by_y, double weight, double e)
-    {
-      const double wx = weight * by_x, wy = weight * by_y;
-      for (int k = 0; k < 5; ++k) {
-        xx[k] += wx * by_x * powers[k];
-        xy[k] += wx * by_y * powers[k];
-        yy[k] += wy * by_y * powers[k];
-      }
-      for (int k = 0; k < 3; ++k) {
-        x[k] -= wx * e * powers[k];
-        y[k] -= wy * e * powers[k];
-      }
-    }
 
     void add_strip(int i, const double* powers, double by_x, double by_y, double by_angle, double by_curvature,
                    double weight, double e)
@@ -336,15 +327,8 @@ private:
     {
       static constexpr double factors[3] = {1., 1., 0.5};
       hessian.setZero();
+      apex.assemble(hessian, gradient);
       for (int j = 0; j < 3; ++j) {
-        for (int k = 0; k < 3; ++k) {
-          const double factor = factors[j] * factors[k];
-          hessian(2 * j, 2 * k) = factor * xx[j + k];
-          hessian(2 * j, 2 * k + 1) = hessian(2 * k + 1, 2 * j) = factor * xy[j + k];
-          hessian(2 * j + 1, 2 * k + 1) = factor * yy[j + k];
-        }
-        gradient[2 * j] = factors[j] * x[j];
-        gradient[2 * j + 1] = factors[j] * y[j];
         hessian(2 * j, 12) = factors[j] * x_bias[j];
         hessian(2 * j + 1, 12) = factors[j] * y_bias[j];
         for (int i = 0; i < 2; ++i) {
@@ -393,7 +377,7 @@ private:
                      by_y = curvature * offset.along * offset.sine - offset.cosine;
         const double by_angle = -offset.along * (1. + curvature * offset.across);
         const double weight = p.weight * surface_weight * robust_weight(offset.across * per_scale);
-        sums.add_apex(powers, by_x, by_y, weight, offset.across);
+        sums.apex.add(powers, by_x, by_y, weight, offset.across);
         sums.add_strip(offset.strip, powers, by_x, by_y, by_angle, -0.5 * offset.along * offset.along, weight,
                        offset.across);
       }
@@ -403,7 +387,7 @@ private:
         const double e = p.distance - q[12] - distance;
         const double weight = p.weight * field_weight * robust_weight(e * per_field_scale)
           / (1. + 0.5 * p.distance * p.distance);
-        sums.add_apex(powers, offset.x * per_distance, offset.y * per_distance, weight, e);
+        sums.apex.add(powers, offset.x * per_distance, offset.y * per_distance, weight, e);
         sums.add_bias(powers, offset.x * per_distance, offset.y * per_distance, weight, e);
       }
     }
@@ -426,9 +410,9 @@ private:
     const Strips strips(q);
     for (const Sample& p : m_samples) {
       const Offset offset = locate(q, strips, p);
-      if (std::hypot(offset.x, offset.y) > 3. || std::abs(p.s) > 2.)
+      if (std::sqrt(offset.x * offset.x + offset.y * offset.y) > 3. || std::abs(p.s) > 2.)
         continue;
-      const double e = offset.is_valid ? offset.across : (std::min)(1., std::hypot(offset.x, offset.y));
+      const double e = offset.is_valid ? offset.across : (std::min)(1., std::sqrt(offset.x * offset.x + offset.y * offset.y));
       squares += p.weight * (std::min)(0.25, e * e);
       total += p.weight;
     }

@@ -20,7 +20,9 @@
 #include <cstddef>
 #include <initializer_list>
 #include <limits>
+#include <map>
 #include <memory>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -51,6 +53,7 @@ class Curve_cutter
   const bool m_is_closed;
   const double m_significance, m_log_size;
   const std::vector<double> m_spline_costs;
+  mutable std::map<std::tuple<Primitive_kind, std::size_t, std::size_t>, Curve_piece> m_known;
 
 public:
   // `density` is the number of parameters that the spline has per station; `ends` are those of the curve, which count
@@ -106,13 +109,22 @@ private:
   // a piece without fit if the kind is not what the stations show
   Curve_piece try_piece(Primitive_kind kind, std::size_t first, std::size_t size) const
   {
+    // the same pieces are tried from every start of a closed curve
+    const auto known = m_known.find({kind, first, size});
+    if (known != m_known.end())
+      return known->second;
+    return m_known[{kind, first, size}] = fit_piece(kind, first, size);
+  }
+
+  Curve_piece fit_piece(Primitive_kind kind, std::size_t first, std::size_t size) const
+  {
     Curve_piece piece;
     piece.first = first;
     piece.size = size;
     const bool is_whole_loop = m_is_closed && size == m_stations.size();
     if (!is_supported(first, size, kind) || (is_whole_loop && kind == Primitive_kind::LINE))
       return piece;
-    const auto fit = std::make_shared<Primitive_fit>(kind, range(first, size));
+    const auto fit = std::make_shared<Primitive_fit>(kind, range(first, size), m_significance);
     if (fit->is_valid && fit->misfit.probability(fit->curve.number_of_parameters()) >= m_significance
         && runs_forward(fit->curve, first, size) && reaches_ends(fit->curve, first, size))
       piece.fit = fit;

@@ -15,6 +15,7 @@
 #include <CGAL/Wireframe_extraction/internal/Curve_cutter.h>
 #include <CGAL/Wireframe_extraction/internal/Curve_stations.h>
 #include <CGAL/Wireframe_extraction/internal/Primitive_network_fit.h>
+#include <CGAL/Wireframe_extraction/internal/for_each_piece.h>
 
 #include <algorithm>
 #include <array>
@@ -105,8 +106,13 @@ public:
     for (const Untyped_curve& curve : m_curves)
       polylines.push_back(curve.polyline);
     m_support = stations.find_support(polylines);
+    m_candidates.resize(m_curves.size());
+    for_each_piece(m_curves.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c)
+        m_candidates[c] = cut(m_curves[c], stations.run(polylines[c], m_support[c]));
+    }, 1);
     for (std::size_t c = 0; c < m_curves.size(); ++c)
-      m_candidates.push_back(make_candidate(c, stations.run(polylines[c], m_support[c])));
+      place_vertices(m_curves[c], m_candidates[c]);
     std::vector<Typed_piece> result;
     // each round leaves fewer tangencies or primitives
     while (!fit(result)) {}
@@ -114,9 +120,8 @@ public:
   }
 
 private:
-  Candidate make_candidate(std::size_t c, std::vector<Station> stations)
+  Candidate cut(const Untyped_curve& curve, std::vector<Station> stations) const
   {
-    const Untyped_curve& curve = m_curves[c];
     Candidate result;
     result.stations = std::move(stations);
     result.length = Curve_stations::arc_lengths(curve.polyline).back();
@@ -130,6 +135,11 @@ private:
     if (curve.is_loop() && result.pieces.size() == 1 && result.pieces[0].is_line())
       result.pieces[0].fit.reset();
     merge_splines(result);
+    return result;
+  }
+
+  void place_vertices(const Untyped_curve& curve, Candidate& result)
+  {
     result.vertices.push_back(curve.vertices[0]);
     for (std::size_t i = 1; i < result.pieces.size(); ++i)
       result.vertices.push_back(add_vertex(place_of_cut(result, i)));
@@ -138,7 +148,6 @@ private:
       result.vertices.front() = result.vertices.back() = add_vertex(place_of_cut(result, 0));
     result.is_tangent.assign(result.pieces.size(), 1);
     result.is_tangent[0] = curve.is_closed_without_vertex() && result.pieces.size() > 1;
-    return result;
   }
 
   // Near a vertex, the points of the other curves that meet there mix in.
@@ -232,7 +241,8 @@ private:
     std::vector<Measured_curve> curves;
     for (std::size_t k = 0; k < places.size(); ++k) {
       Typed_piece piece;
-      set_deviations(*m_candidates[places[k].curve].pieces[places[k].piece].fit, piece);
+      const Candidate& candidate = m_candidates[places[k].curve];
+      set_deviations(candidate, candidate.pieces[places[k].piece], piece);
       curves.push_back({network.edges[k].curve(network.vertices), piece.position_deviation, piece.direction_deviation,
                         piece.major_radius_deviation});
     }
@@ -443,7 +453,7 @@ private:
           piece.is_primitive = true;
           piece.shape = is_in_network(c, i) ? network.edges[edges[c][i]].curve(network.vertices)
                                             : candidate.pieces[i].fit->curve;
-          set_deviations(*candidate.pieces[i].fit, piece);
+          set_deviations(candidate, candidate.pieces[i], piece);
           measure(piece);
         } else if (!piece.is_whole) {
           set_end_tangents(candidate, i, network, edges[c], piece);
@@ -468,12 +478,14 @@ private:
     return piece;
   }
 
-  static void set_deviations(const Primitive_fit& fit, Typed_piece& piece)
+  static void set_deviations(const Candidate& candidate, const Curve_piece& stations, Typed_piece& piece)
   {
+    const Primitive_fit& fit = *stations.fit;
+    const Primitive_fit::Covariance covariance = fit.covariance(range(candidate, stations));
     const auto deviation = [&](std::initializer_list<int> indices) {
       double variance = 0.;
       for (const int i : indices)
-        variance += fit.covariance(i, i) / Misfit::share_of_independent;
+        variance += covariance(i, i) / Misfit::share_of_independent;
       return variance > 0. && std::isfinite(variance) ? std::sqrt(variance) : 0.;
     };
     switch (fit.curve.kind) {

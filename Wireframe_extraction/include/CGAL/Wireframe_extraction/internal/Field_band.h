@@ -60,19 +60,25 @@ struct Position_map
 // The indices of the positions that differ from all earlier ones, ascending. A kd-tree cannot split equal positions.
 inline std::vector<std::size_t> different_positions(const std::vector<Vector>& positions)
 {
-  std::vector<std::size_t> order(positions.size());
+  // Equal positions have equal keys, and different ones hardly ever: the sort needs to look at keys only.
+  struct Keyed { double key; std::size_t index; };
+  std::vector<Keyed> order(positions.size());
   for (std::size_t i = 0; i < order.size(); ++i)
-    order[i] = i;
-  const auto key = [&](std::size_t i) {
-    return std::make_tuple(positions[i].x(), positions[i].y(), positions[i].z());
-  };
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return std::make_pair(key(a), a) < std::make_pair(key(b), b);
+    order[i] = {positions[i].x() + 0.7548776662466927 * positions[i].y() + 0.5698402909980532 * positions[i].z(), i};
+  std::sort(order.begin(), order.end(), [](const Keyed& a, const Keyed& b) {
+    return a.key < b.key || (a.key == b.key && a.index < b.index);
   });
-  order.erase(std::unique(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) == key(b); }),
-              order.end());
-  std::sort(order.begin(), order.end());
-  return order;
+  std::vector<std::size_t> result;
+  for (std::size_t first = 0, beyond = 0; first < order.size(); first = beyond) {
+    const std::size_t known = result.size();
+    for (beyond = first; beyond < order.size() && order[beyond].key == order[first].key; ++beyond) {
+      const Vector& p = positions[order[beyond].index];
+      if (std::none_of(result.begin() + known, result.end(), [&](std::size_t i) { return positions[i] == p; }))
+        result.push_back(order[beyond].index);
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
 }
 
 // Ball queries over a vector of positions that stays where it is. Answers are indices.

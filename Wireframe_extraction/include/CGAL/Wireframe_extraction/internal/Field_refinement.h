@@ -17,6 +17,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <tuple>
 #include <vector>
 
@@ -32,8 +34,10 @@ class Field_refinement
   const Field_band& m_band;
   const Contraction& m_contraction;
   Crease_fit_options m_options;
-  std::vector<Crease> m_creases;         // those of the skeleton's points come first
-  Ball_search m_skeleton;
+  std::vector<std::size_t> m_places;     // points of the skeleton at which creases are looked for
+  std::vector<Vector> m_positions;       // theirs
+  Ball_search m_search;                  // among them
+  std::vector<Crease> m_creases;         // those of the places come first
   std::vector<Traced_curve> m_curves;   // along creases
 
   struct Average
@@ -58,8 +62,8 @@ public:
   {
     m_options.radius = radius;
     m_options.field_noise = (std::max)(0.03, contraction.noise);
-    m_skeleton.build(m_band.points, m_band.skeleton_size);
     estimate_surface_noise();
+    choose_places();
     fit_creases();
     trace_creases();
   }
@@ -139,7 +143,7 @@ private:
   // whether the surface has no crease where the field wants one
   bool is_flat_around(std::size_t i, std::vector<std::size_t>& found) const
   {
-    m_skeleton.query(m_band.points[i], 1.5, found);
+    m_search.query(m_band.points[i], 1.5, found);
     std::size_t flat = 0;
     for (std::size_t k : found)
       flat += m_creases[k].fold < (std::min)(0.5, least_fold(m_creases[k]))
@@ -194,13 +198,45 @@ private:
     }
   }
 
+  // Points whose feet are closer to one another than the surface errs show the same crease, with the same errors: one of
+  // them will do, that with the best fit.
+  void choose_places()
+  {
+    const double spacing = (std::min)(0.7, 3. * m_options.surface_noise);
+    const std::vector<Local_curve>& curves = m_contraction.curves;
+    std::vector<Vector> feet;
+    for (const Local_curve& curve : curves)
+      feet.push_back(curve.point);
+    const Ball_search search(feet);
+    std::vector<std::size_t> order(curves.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return std::tie(m_contraction.residuals[a], a) < std::tie(m_contraction.residuals[b], b);
+    });
+    std::vector<char> is_covered(curves.size(), 0);
+    std::vector<std::size_t> found;
+    for (std::size_t i : order) {
+      if (is_covered[i])
+        continue;
+      m_places.push_back(i);
+      search.query(feet[i], spacing, found);
+      for (std::size_t j : found)
+        is_covered[j] |= std::abs(curves[i].tangent.dot(curves[j].tangent)) > 0.9;
+      is_covered[i] = 1;
+    }
+    std::sort(m_places.begin(), m_places.end());
+    for (std::size_t i : m_places)
+      m_positions.push_back(m_band.points[i]);
+    m_search.build(m_positions, m_positions.size());
+  }
+
   void fit_creases()
   {
-    m_creases.resize(m_contraction.curves.size());
+    m_creases.resize(m_places.size());
     for_each_piece(m_creases.size(), [&](std::size_t begin, std::size_t end) {
       Crease_fit fit(m_band);
-      for (std::size_t i = begin; i < end; ++i)
-        m_creases[i] = fit.fit_with_best_radius(m_contraction.curves[i], m_options);
+      for (std::size_t k = begin; k < end; ++k)
+        m_creases[k] = fit.fit_with_best_radius(m_contraction.curves[m_places[k]], m_options);
     });
   }
 };

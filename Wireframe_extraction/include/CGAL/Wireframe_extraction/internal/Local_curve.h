@@ -13,6 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_LOCAL_CURVE_H
 
 #include <CGAL/Wireframe_extraction/internal/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/Section_sums.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -65,8 +66,13 @@ struct Local_fit_options
 // Robust Gauss-Newton steps on the sum of rho(d_i - |p_i - c(p_i)|).
 class Local_curve_fit
 {
+  struct Sample { Vector point; double distance, deviation, weight; };
+
   const Field_band& m_band;
   std::vector<std::size_t> m_ball;
+  Vector m_center = Vector::Zero();
+  double m_radius = -1.;
+  std::vector<Sample> m_samples;      // of the ball, for a fit
 
 public:
   explicit Local_curve_fit(const Field_band& band) : m_band(band) {}
@@ -83,7 +89,7 @@ public:
   template <class Accept>
   Local_curve principal_axis(const Vector& center, double radius, const Accept& accept)
   {
-    m_band.search.query(center, radius, m_ball);
+    query(center, radius);
     double total = 0.;
     Vector mean = Vector::Zero();
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
@@ -111,12 +117,12 @@ public:
   // improves `curve` on the points around `center`
   void refine(Local_curve& curve, const Vector& center, const Local_fit_options& options)
   {
-    m_band.search.query(center, options.radius, m_ball);
+    collect(center, options.radius);
     for (int k = 0; k < options.iterations; ++k) {
       // the outliers leave gradually, or the first guess would decide alone
       const double scale = (std::max)(options.scale, 1.2 * std::pow(0.6, k));
       curve.move_along_to(center);
-      if (step(curve, center, options, scale) < 1e-4 && scale == options.scale)
+      if (step(curve, options, scale) < 1e-4 && scale == options.scale)
         break;
     }
     curve.move_along_to(center);
@@ -125,10 +131,10 @@ public:
   // improves a `curve` that is nearly right already: outliers are none of its business from the start
   void refine_from(Local_curve& curve, const Vector& center, const Local_fit_options& options)
   {
-    m_band.search.query(center, options.radius, m_ball);
+    collect(center, options.radius);
     for (int k = 0; k < options.iterations; ++k) {
       curve.move_along_to(center);
-      if (step(curve, center, options, options.scale) < 1e-4)
+      if (step(curve, options, options.scale) < 1e-4)
         break;
     }
   }
@@ -160,7 +166,7 @@ public:
   // root mean square, cut off at 1, of the residuals of the points within `radius` of `center`
   double residual(const Local_curve& curve, const Vector& center, double radius)
   {
-    m_band.search.query(center, radius, m_ball);
+    query(center, radius);
     double sum = 0., total = 0.;
     for (std::size_t i : m_ball) {
       const double weight = field_weight(m_band.distances[i]) / (0.01 + std::pow(m_band.deviation(i, 0.), 2));
@@ -177,40 +183,57 @@ private:
     return squared_ratio < 1. ? (1. - squared_ratio) * (1. - squared_ratio) : 0.;
   }
 
+  // one ball is often asked for several times
+  void query(const Vector& center, double radius)
+  {
+    if (center == m_center && radius == m_radius)
+      return;
+    m_center = center;
+    m_radius = radius;
+    m_band.search.query(center, radius, m_ball);
+  }
+
+  void collect(const Vector& center, double radius)
+  {
+    query(center, radius);
+    m_samples.clear();
+    for (std::size_t i : m_ball)
+      m_samples.push_back({m_band.points[i], m_band.distances[i], m_band.deviation(i, 0.),
+                           field_weight(m_band.distances[i])
+                           * kernel((m_band.points[i] - center).squaredNorm() / (radius * radius))});
+  }
+
   // the field errs more the farther from the feature
   static double field_weight(double d) { return 1. / (1. + d * d / 2.); }
 
-  double step(Local_curve& curve, const Vector& center, const Local_fit_options& options, double scale) const
+  double step(Local_curve& curve, const Local_fit_options& options, double scale) const
   {
     typedef Eigen::Matrix<double, 6, 6> Matrix6;
     typedef Eigen::Matrix<double, 6, 1> Vector6;
     const Vector normal = curve.tangent.unitOrthogonal();
     const Vector binormal = curve.tangent.cross(normal);
-    Matrix6 hessian = Matrix6::Zero();
-    Vector6 gradient = Vector6::Zero();
+    Matrix6 hessian;
+    Vector6 gradient;
     const double bend_x = curve.bend.dot(normal), bend_y = curve.bend.dot(binormal);
-    const double squared_radius = options.radius * options.radius;
-    for (std::size_t i : m_ball) {
-      const Vector offset = m_band.points[i] - curve.point;
-      const double s = offset.dot(curve.tangent);
-      const double x = offset.dot(normal) - 0.5 * s * s * bend_x;
-      const double y = offset.dot(binormal) - 0.5 * s * s * bend_y;
-      const double distance = std::hypot(x, y);
+    Section_sums sums;
+    for (const Sample& sample : m_samples) {
+      const Vector offset = sample.point - curve.point;
+      const double s = offset.dot(curve.tangent), square = s * s;
+      const double x = offset.dot(normal) - 0.5 * square * bend_x;
+      const double y = offset.dot(binormal) - 0.5 * square * bend_y;
+      const double distance = std::sqrt(x * x + y * y);
       if (distance < 1e-9)
         continue;
-      const double e = m_band.distances[i] - distance;
-      const double own_scale = (std::max)(scale, 2. * m_band.deviation(i, 0.));
-      const double ratio = e / own_scale, worth = scale / own_scale;
-      const double robust = worth * worth / ((1. + ratio * ratio) * (1. + ratio * ratio));
-      const double weight = robust * field_weight(m_band.distances[i])
-        * kernel((m_band.points[i] - center).squaredNorm() / squared_radius);
-      Vector6 j;
+      const double e = sample.distance - distance;
+      const double own_scale = (std::max)(scale, 2. * sample.deviation);
+      const double ratio = e / own_scale, worth = scale / own_scale, spread = 1. + ratio * ratio;
+      const double weight = sample.weight * worth * worth / (spread * spread);
       // on the curve itself, the direction to it is undefined
-      const double u = x / (std::max)(distance, 0.05), v = y / (std::max)(distance, 0.05);
-      j << u, v, s * u, s * v, 0.5 * s * s * u, 0.5 * s * s * v;
-      hessian.noalias() += weight * j * j.transpose();
-      gradient.noalias() -= weight * e * j;
+      const double per_distance = 1. / (std::max)(distance, 0.05);
+      const double powers[5] = {1., s, square, square * s, square * square};
+      sums.add(powers, x * per_distance, y * per_distance, weight, e);
     }
+    sums.assemble(hessian, gradient);
     // a prior on the curvature, and a little damping for the rest
     const double prior = scale * scale / (options.bend_deviation * options.bend_deviation);
     hessian(4, 4) += prior;

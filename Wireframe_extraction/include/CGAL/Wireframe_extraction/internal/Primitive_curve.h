@@ -151,6 +151,34 @@ struct Primitive_curve
     return result;
   }
 
+  // The derivatives of foot(p) by the steps that `moved` takes, one column for each; not of an ellipse.
+  template <class Matrix>
+  void foot_derivatives(const Vector& p, Matrix& columns) const
+  {
+    const Vector offset = p - center;
+    if (kind == Primitive_kind::LINE) {
+      const Vector u = axis.unitOrthogonal(), v = axis.cross(u);
+      const double along = offset.dot(axis);
+      columns.col(0) = u;
+      columns.col(1) = v;
+      columns.col(2) = offset.dot(u) * axis + along * u;
+      columns.col(3) = offset.dot(v) * axis + along * v;
+      return;
+    }
+    const Vector in_plane = offset - offset.dot(axis) * axis;
+    const double length = (std::max)(in_plane.norm(), 1e-12), ratio = major_radius / length;
+    const Vector outward = in_plane / length;
+    const auto turned = [&](const Vector& change) { return Vector(ratio * (change - outward.dot(change) * outward)); };
+    for (int k = 0; k < 3; ++k) {
+      const Vector unit = Vector::Unit(k);
+      columns.col(k) = unit - turned(unit - axis[k] * axis);
+    }
+    const Vector tilts[2] = {major.cross(axis), minor().cross(axis)};     // changes of the axis
+    for (int k = 0; k < 2; ++k)
+      columns.col(3 + k) = turned(-offset.dot(tilts[k]) * axis - offset.dot(axis) * tilts[k]);
+    columns.col(5) = outward;
+  }
+
 private:
   // the angle of the point of the ellipse that is nearest to (x, y)
   double ellipse_angle(double x, double y) const

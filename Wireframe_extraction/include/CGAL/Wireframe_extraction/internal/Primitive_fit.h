@@ -99,16 +99,15 @@ public:
 
   Primitive_curve curve;
   Misfit misfit;
-  Covariance covariance;    // of the steps that Primitive_curve::moved() takes
   bool is_valid = false;
 
-  Primitive_fit(Primitive_kind kind, const Station_range& stations)
+  // It is not valid if some of many stations already show that the probability is below the least one by far.
+  Primitive_fit(Primitive_kind kind, const Station_range& stations, double least_probability = 0.)
   {
     curve.kind = kind;
     if (2 * stations.size() <= std::size_t(curve.number_of_parameters()) || !initialize(stations))
       return;
-    minimize(stations);
-    is_valid = curve.is_finite() && is_resolved();
+    is_valid = minimize(stations, least_probability) && curve.is_finite() && is_resolved();
   }
 
   static double square(const Primitive_curve& curve, const Station& station)
@@ -117,12 +116,23 @@ public:
     return residual.dot(station.information * residual);
   }
 
-  static Misfit misfit_of(const Primitive_curve& curve, const Station_range& stations)
+  // of every `stride`-th station
+  static Misfit misfit_of(const Primitive_curve& curve, const Station_range& stations, std::size_t stride = 1)
   {
     Misfit result;
-    for (std::size_t i = 0; i < stations.size(); ++i)
+    for (std::size_t i = 0; i < stations.size(); i += stride)
       result.add(square(curve, stations[i]));
     return result;
+  }
+
+  // of the steps that Primitive_curve::moved() takes
+  Covariance covariance(const Station_range& stations) const
+  {
+    const int n = curve.number_of_parameters();
+    Covariance matrix;
+    Parameters gradient;
+    linearize(stations, 1, matrix, gradient);
+    return matrix.ldlt().solve(Covariance(Covariance::Identity(n, n)));
   }
 
 private:
@@ -233,22 +243,39 @@ private:
     curve.center += scale * (center.x() * curve.major + center.y() * curve.minor());
   }
 
-  // Levenberg and Marquardt, with central differences
-  void minimize(const Station_range& stations)
+  // The first rounds take some of many stations, which are enough to come close.
+  bool minimize(const Station_range& stations, double least_probability)
+  {
+    static constexpr std::size_t few = 48;
+    if (stations.size() > 3 * few) {
+      minimize(stations, stations.size() / few);
+      if (misfit.probability(curve.number_of_parameters()) < 1e-6 * least_probability)
+        return false;
+    }
+    minimize(stations, std::size_t(1));
+    if (curve.kind == Primitive_kind::ELLIPSE && curve.major_radius < curve.minor_radius) {
+      curve.major = curve.minor();
+      std::swap(curve.major_radius, curve.minor_radius);
+    }
+    return true;
+  }
+
+  // Levenberg and Marquardt over every `stride`-th station
+  void minimize(const Station_range& stations, std::size_t stride)
   {
     const int n = curve.number_of_parameters();
-    misfit = misfit_of(curve, stations);
+    misfit = misfit_of(curve, stations, stride);
     double damping = 1e-6;
     for (int round = 0; round < 30; ++round) {
       Covariance matrix;
       Parameters gradient;
-      linearize(stations, matrix, gradient);
+      linearize(stations, stride, matrix, gradient);
       Covariance damped = matrix;
       for (int i = 0; i < n; ++i)
         damped(i, i) += damping * damped(i, i) + 1e-12 * matrix.trace();
       const Parameters step = -damped.ldlt().solve(gradient);
       const Primitive_curve candidate = curve.moved(step.data());
-      const Misfit next = candidate.is_finite() ? misfit_of(candidate, stations) : Misfit();
+      const Misfit next = candidate.is_finite() ? misfit_of(candidate, stations, stride) : Misfit();
       if (candidate.is_finite() && next.robust() <= misfit.robust()) {
         const bool is_done = misfit.robust() - next.robust() <= 1e-6 * misfit.robust() + 1e-9;
         curve = candidate;
@@ -262,52 +289,62 @@ private:
           break;
       }
     }
-    if (curve.kind == Primitive_kind::ELLIPSE && curve.major_radius < curve.minor_radius) {
-      curve.major = curve.minor();
-      std::swap(curve.major_radius, curve.minor_radius);
-    }
-    set_covariance(stations);
   }
 
-  void linearize(const Station_range& stations, Covariance& matrix, Parameters& gradient) const
+  void linearize(const Station_range& stations, std::size_t stride, Covariance& matrix, Parameters& gradient) const
   {
     const int n = curve.number_of_parameters();
     matrix = Covariance::Zero(n, n);
     gradient = Parameters::Zero(n);
-    std::array<Primitive_curve, most> ahead, behind;
-    constexpr double h = 1e-5;
-    for (int i = 0; i < n; ++i) {
-      Parameters step = Parameters::Zero(n);
-      step[i] = h;
-      ahead[i] = curve.moved(step.data());
-      step[i] = -h;
-      behind[i] = curve.moved(step.data());
-    }
-    Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, most> jacobian(3, n);
-    for (std::size_t k = 0; k < stations.size(); ++k) {
+    const Foot_derivatives derivatives(curve);
+    Eigen::Matrix<double, 3, most> jacobian;
+    for (std::size_t k = 0; k < stations.size(); k += stride) {
       const Station& station = stations[k];
       const Vector residual = curve.foot(station.position) - station.position;
       const Vector pull = station.information * residual;
       const double weight = Misfit::weight(residual.dot(pull));
-      for (int i = 0; i < n; ++i)
-        jacobian.col(i) = (ahead[i].foot(station.position) - behind[i].foot(station.position)) / (2. * h);
+      derivatives.at(station.position, jacobian);
       for (int i = 0; i < n; ++i) {
         gradient[i] += weight * jacobian.col(i).dot(pull);
         const Vector column = weight * station.information * jacobian.col(i);
-        for (int j = 0; j < n; ++j)
+        for (int j = i; j < n; ++j)
           matrix(i, j) += column.dot(jacobian.col(j));
       }
     }
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < i; ++j)
+        matrix(i, j) = matrix(j, i);
   }
 
-  void set_covariance(const Station_range& stations)
+  // Of a curve's feet: central differences for an ellipse.
+  class Foot_derivatives
   {
-    const int n = curve.number_of_parameters();
-    Covariance matrix;
-    Parameters gradient;
-    linearize(stations, matrix, gradient);
-    covariance = matrix.ldlt().solve(Covariance(Covariance::Identity(n, n)));
-  }
+    const Primitive_curve& m_curve;
+    std::array<Primitive_curve, most> m_ahead, m_behind;
+    static constexpr double h = 1e-5;
+
+  public:
+    explicit Foot_derivatives(const Primitive_curve& curve) : m_curve(curve)
+    {
+      const int n = m_curve.number_of_parameters();
+      for (int i = 0; i < n && m_curve.kind == Primitive_kind::ELLIPSE; ++i) {
+        Parameters step = Parameters::Zero(n);
+        step[i] = h;
+        m_ahead[i] = m_curve.moved(step.data());
+        step[i] = -h;
+        m_behind[i] = m_curve.moved(step.data());
+      }
+    }
+
+    void at(const Vector& p, Eigen::Matrix<double, 3, most>& columns) const
+    {
+      if (m_curve.kind != Primitive_kind::ELLIPSE)
+        m_curve.foot_derivatives(p, columns);
+      else
+        for (int i = 0; i < m_curve.number_of_parameters(); ++i)
+          columns.col(i) = (m_ahead[i].foot(p) - m_behind[i].foot(p)) / (2. * h);
+    }
+  };
 };
 
 } // namespace internal

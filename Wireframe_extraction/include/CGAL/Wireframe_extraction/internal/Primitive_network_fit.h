@@ -124,6 +124,98 @@ public:
   }
 };
 
+// The curve of an edge, and those after a small step of each parameter: computed once for all stations of the edge, each
+// time a solver has moved the parameters.
+class Edge_variations
+{
+  Primitive_kind m_kind;
+  std::vector<double*> m_blocks;
+  Primitive_curve m_curve;
+  std::vector<Primitive_curve> m_ahead, m_behind;     // three for each block
+
+public:
+  static constexpr double step = 1e-5;
+
+  Edge_variations(Primitive_kind kind, std::vector<double*> blocks) : m_kind(kind), m_blocks(std::move(blocks)) {}
+
+  const std::vector<double*>& blocks() const { return m_blocks; }
+  const Primitive_curve& curve() const { return m_curve; }
+  const Primitive_curve& ahead(std::size_t parameter) const { return m_ahead[parameter]; }
+  const Primitive_curve& behind(std::size_t parameter) const { return m_behind[parameter]; }
+
+  void update(bool with_steps)
+  {
+    m_curve = Primitive_edge::curve(m_kind, m_blocks.data());
+    m_ahead.clear();
+    m_behind.clear();
+    for (std::size_t b = 0; with_steps && b < m_blocks.size(); ++b)
+      for (int k = 0; k < 3; ++k) {
+        m_ahead.push_back(after_step(b, k, step));
+        m_behind.push_back(after_step(b, k, -step));
+      }
+  }
+
+private:
+  Primitive_curve after_step(std::size_t block, int coordinate, double by) const
+  {
+    std::array<const double*, 3> pointers{};
+    std::copy(m_blocks.begin(), m_blocks.end(), pointers.begin());
+    Vector changed = Eigen::Map<const Vector>(m_blocks[block]);
+    changed[coordinate] += by;
+    pointers[block] = changed.data();
+    return Primitive_edge::curve(m_kind, pointers.data());
+  }
+};
+
+class Update_edges : public ceres::EvaluationCallback
+{
+  std::vector<Edge_variations>& m_edges;
+
+public:
+  explicit Update_edges(std::vector<Edge_variations>& edges) : m_edges(edges) {}
+
+  void PrepareForEvaluation(bool evaluate_jacobians, bool) override
+  {
+    for (Edge_variations& edge : m_edges)
+      edge.update(evaluate_jacobians);
+  }
+};
+
+// The whitened offset of a station from its curve, by central differences; the parameters are those of the variations.
+class Station_residual : public ceres::CostFunction
+{
+  const Edge_variations& m_edge;
+  Vector m_position;
+  Eigen::Matrix3d m_root;
+
+public:
+  Station_residual(const Edge_variations& edge, const Vector& position, const Eigen::Matrix3d& root)
+    : m_edge(edge), m_position(position), m_root(root)
+  {
+    set_num_residuals(3);
+    mutable_parameter_block_sizes()->assign(edge.blocks().size(), 3);
+  }
+
+  bool Evaluate(double const* const*, double* residuals, double** jacobians) const override
+  {
+    Eigen::Map<Vector> value(residuals);
+    value = m_root * (m_edge.curve().foot(m_position) - m_position);
+    if (!value.allFinite())
+      return false;
+    for (std::size_t b = 0; jacobians && b < m_edge.blocks().size(); ++b) {
+      if (!jacobians[b])
+        continue;
+      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor> > jacobian(jacobians[b]);
+      for (int k = 0; k < 3; ++k)
+        jacobian.col(k) = m_root * (m_edge.ahead(3 * b + k).foot(m_position) - m_edge.behind(3 * b + k).foot(m_position))
+          / (2. * Edge_variations::step);
+      if (!jacobian.allFinite())
+        return false;
+    }
+    return true;
+  }
+};
+
 // Fits lines, circles and ellipses that share vertices to their stations, all at once. Lines and circles pass through
 // their vertices by construction; what else has to hold exactly, tangents that agree and vertices on ellipses, is enforced
 // by augmented Lagrangians.
@@ -301,21 +393,20 @@ private:
   void solve(const std::vector<Vector>& anchors, const std::vector<Constraint>& constraints,
              const std::vector<Vector>& multipliers, double weight)
   {
-    ceres::Problem::Options ownership;
-    ownership.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-    ceres::Problem problem(ownership);
+    std::vector<Edge_variations> variations;
+    for (Primitive_edge& edge : edges)
+      variations.emplace_back(edge.kind, edge.blocks(vertices));
+    Update_edges update(variations);
+    ceres::Problem::Options problem_options;
+    problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+    problem_options.evaluation_callback = &update;
+    ceres::Problem problem(problem_options);
     ceres::CauchyLoss robust(4.);
     auto next_root = m_roots.begin();
-    for (Primitive_edge& edge : edges)
-      for (const Station& station : edge.stations) {
-        const std::vector<double*> blocks = edge.blocks(vertices);
-        const Primitive_kind kind = edge.kind;
-        const Eigen::Matrix3d root = *next_root++;
-        const Vector position = station.position;
-        problem.AddResidualBlock(new Geometric_residual(blocks.size(), [=](double const* const* parameters) {
-          return Vector(root * (Primitive_edge::curve(kind, parameters).foot(position) - position));
-        }), &robust, blocks);
-      }
+    for (std::size_t k = 0; k < edges.size(); ++k)
+      for (const Station& station : edges[k].stations)
+        problem.AddResidualBlock(new Station_residual(variations[k], station.position, *next_root++), &robust,
+                                 variations[k].blocks());
     for (std::size_t v = 0; v < vertices.size(); ++v)
       if (problem.HasParameterBlock(vertices[v].data()))
         add_pull(problem, vertices[v], Eigen::Matrix3d(0.1 * Eigen::Matrix3d::Identity()), anchors[v]);

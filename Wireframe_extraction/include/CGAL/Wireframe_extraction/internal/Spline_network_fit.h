@@ -12,17 +12,24 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SPLINE_NETWORK_FIT_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SPLINE_NETWORK_FIT_H
 
+#include <CGAL/Wireframe_extraction/internal/Cauchy_factor.h>
 #include <CGAL/Wireframe_extraction/internal/Cubic_spline.h>
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/internal/Polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/ceres_support.h>
+#include <CGAL/Wireframe_extraction/internal/for_each_piece.h>
 #include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
+
+#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <map>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,30 +48,47 @@ inline void set_multiple_of_identity(double* jacobian, double factor)
     jacobian[k] = k % 4 == 0 ? factor : 0.;
 }
 
-// d - |p - gamma(u)| as a function of the four control points that act at u (a summand of eq. 3)
-class Field_residual : public ceres::SizedCostFunction<1, 3, 3, 3, 3>
+// The distances of points to the places of their feet on one span of a spline against those of the field, made robust one
+// by one. Places and weights are fixed; the derivatives are by the four control points of the span.
+class Span_residual : public ceres::CostFunction
 {
-  Vector m_point;
-  double m_distance, m_weight;
-  std::array<double, 4> m_basis;
+  struct Sample
+  {
+    Vector point;
+    double distance, weight;
+    std::array<double, 4> basis;
+  };
+
+  std::vector<Sample> m_samples;
+  double m_scale;
 
 public:
-  Field_residual(const Vector& point, double distance, double weight, const double* basis)
-    : m_point(point), m_distance(distance), m_weight(weight), m_basis{{basis[0], basis[1], basis[2], basis[3]}}
-  {}
+  // `scale` is that of Cauchy's loss, or 0 for plain squares
+  explicit Span_residual(double scale) : m_scale(scale) { mutable_parameter_block_sizes()->assign(4, 3); }
 
-  bool Evaluate(double const* const* controls, double* residual, double** jacobians) const override
+  void add(const Vector& point, double distance, double weight, const double* basis)
   {
-    Vector offset = m_point;
-    for (int j = 0; j < 4; ++j)
-      offset -= m_basis[j] * Eigen::Map<const Vector>(controls[j]);
-    const double distance = offset.norm();
-    residual[0] = m_weight * (m_distance - distance);
-    if (jacobians) {
-      const Vector direction = distance > 1e-12 ? Vector(offset / distance) : Vector(Vector::Zero());
+    m_samples.push_back({point, distance, weight, {{basis[0], basis[1], basis[2], basis[3]}}});
+    set_num_residuals(static_cast<int>(m_samples.size()));
+  }
+
+  bool Evaluate(double const* const* controls, double* residuals, double** jacobians) const override
+  {
+    for (std::size_t i = 0; i < m_samples.size(); ++i) {
+      const Sample& sample = m_samples[i];
+      Vector offset = sample.point;
+      for (int j = 0; j < 4; ++j)
+        offset -= sample.basis[j] * Eigen::Map<const Vector>(controls[j]);
+      const double distance = offset.norm(), e = sample.weight * (sample.distance - distance);
+      const Cauchy_factor factor = m_scale > 0. ? Cauchy_factor(e * e, m_scale * m_scale) : Cauchy_factor();
+      residuals[i] = factor.value * e;
+      if (!jacobians)
+        continue;
+      const double by_distance = sample.weight * (factor.value + 2. * factor.derivative * e * e);
+      const Vector direction = distance > 1e-12 ? Vector(offset * (by_distance / distance)) : Vector(Vector::Zero());
       for (int j = 0; j < 4; ++j)
         if (jacobians[j])
-          set_gradient(jacobians[j], m_weight * m_basis[j] * direction);
+          set_gradient(jacobians[j] + 3 * i, sample.basis[j] * direction);
     }
     return true;
   }
@@ -138,13 +162,11 @@ class Spline_network_fit
     double m_share;
 
   public:
-    bool is_cancelled = false;
     Stop_on_cancel(const std::function<bool(double)>& proceed, double share) : m_proceed(proceed), m_share(share) {}
     ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override
     {
       if (m_proceed(m_share))
         return ceres::SOLVER_CONTINUE;
-      is_cancelled = true;
       return ceres::SOLVER_ABORT;
     }
   };
@@ -284,14 +306,19 @@ private:
     const std::vector<Polyline_foot> feet
       = nearest_feet(m_band, pointers_to(polylines), m_options.support_distance + 1.);
     m_support.clear();
-    for (std::size_t i = 0; i < m_band.size(); ++i) {
-      if (!feet[i].is_valid())
-        continue;
-      const std::vector<double>& of_curve = parameters[feet[i].curve];
-      const double start = of_curve[feet[i].segment]
-        + feet[i].share * (of_curve[feet[i].segment + 1] - of_curve[feet[i].segment]);
-      m_support.push_back({i, feet[i].curve, m_curves[feet[i].curve].spline.foot(m_band.points[i], start)});
-    }
+    for (std::size_t i = 0; i < m_band.size(); ++i)
+      if (feet[i].is_valid())
+        m_support.push_back({i, feet[i].curve, 0.});
+    for_each_piece(m_support.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        Support& s = m_support[k];
+        const Polyline_foot& foot = feet[s.point];
+        const std::vector<double>& of_curve = parameters[s.curve];
+        const double start = of_curve[foot.segment]
+          + foot.share * (of_curve[foot.segment + 1] - of_curve[foot.segment]);
+        s.parameter = m_curves[s.curve].spline.foot(m_band.points[s.point], start);
+      }
+    });
   }
 
   double residual(const Support& s) const
@@ -365,98 +392,178 @@ private:
     return curve.spline.points()[i].data();
   }
 
+  // Curves that share no vertex do not know of each other: their problems are solved apart, at the same time.
   bool solve(double scale, const std::function<bool(double)>& proceed, double share)
   {
-    ceres::Problem::Options ownership;
-    ownership.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-    ceres::Problem problem(ownership);
-    ceres::CauchyLoss robust(scale);
-    ceres::LossFunction* loss = m_options.use_robust_loss ? &robust : nullptr;
-    for (const Support& s : m_support) {
-      Fitted_curve& curve = m_curves[s.curve];
-      const Cubic_spline::Basis basis = curve.spline.basis(s.parameter);
-      const double d = m_band.distances[s.point];
-      const double worth = (0.03 + m_noise) / (0.03 + m_band.deviation(s.point, m_noise));
-      const double weight = m_options.use_robust_loss ? worth / std::sqrt(1. + 0.5 * d * d) : 1.;
-      problem.AddResidualBlock(new Field_residual(m_band.points[s.point], d, weight, basis.values.data()), loss,
-                               control(curve, basis.controls[0]), control(curve, basis.controls[1]),
-                               control(curve, basis.controls[2]), control(curve, basis.controls[3]));
+    const std::vector<std::vector<std::size_t> > parts = connected_curves();
+    std::vector<std::vector<std::size_t> > supports(parts.size());
+    std::vector<std::size_t> part_of_curve(m_curves.size());
+    for (std::size_t part = 0; part < parts.size(); ++part)
+      for (std::size_t c : parts[part])
+        part_of_curve[c] = part;
+    for (std::size_t i = 0; i < m_support.size(); ++i)
+      supports[part_of_curve[m_support[i].curve]].push_back(i);
+    std::mutex mutex;
+    bool goes_on = true;
+    const std::function<bool(double)> ask = [&](double done) {
+      const std::lock_guard<std::mutex> lock(mutex);
+      return goes_on = goes_on && proceed(done);
+    };
+    for_each_piece(parts.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t part = begin; part < end; ++part)
+        solve(parts[part], supports[part], scale, ask, share);
+    }, 1);
+    return goes_on;
+  }
+
+  // the parts of the network, each by its curves
+  std::vector<std::vector<std::size_t> > connected_curves() const
+  {
+    std::vector<std::size_t> rank(m_vertices.size()), parent(m_vertices.size());
+    boost::disjoint_sets<std::size_t*, std::size_t*> sets(rank.data(), parent.data());
+    for (std::size_t v = 0; v < m_vertices.size(); ++v)
+      sets.make_set(v);
+    for (const Fitted_curve& curve : m_curves)
+      if (!curve.is_closed_without_vertex())
+        sets.union_set(curve.vertices[0], curve.vertices[1]);
+    std::vector<std::vector<std::size_t> > parts;
+    std::vector<std::size_t> part_of_set(m_vertices.size(), Fitted_curve::no_vertex);
+    for (std::size_t c = 0; c < m_curves.size(); ++c) {
+      std::size_t part = parts.size();
+      if (!m_curves[c].is_closed_without_vertex()) {
+        std::size_t& known = part_of_set[sets.find_set(m_curves[c].vertices[0])];
+        if (known == Fitted_curve::no_vertex)
+          known = part;
+        part = known;
+      }
+      if (part == parts.size())
+        parts.emplace_back();
+      parts[part].push_back(c);
     }
-    add_roughness(problem);
-    for (std::size_t v = 0; v < m_vertices.size(); ++v) {
-      if (m_degrees[v] == 0)
-        continue;
+    return parts;
+  }
+
+  // the vertices of some curves, each once
+  std::vector<std::size_t> vertices_of(const std::vector<std::size_t>& curves) const
+  {
+    std::vector<std::size_t> result;
+    for (std::size_t c : curves)
+      if (!m_curves[c].is_closed_without_vertex())
+        result.insert(result.end(), m_curves[c].vertices.begin(), m_curves[c].vertices.end());
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  // the problem of some curves that share vertices with no others
+  void solve(const std::vector<std::size_t>& curves, const std::vector<std::size_t>& support, double scale,
+             const std::function<bool(double)>& proceed, double share)
+  {
+    ceres::Problem problem;
+    add_distances(problem, support, m_options.use_robust_loss ? scale : 0.);
+    for (std::size_t c : curves)
+      add_roughness(problem, m_curves[c]);
+    const std::vector<std::size_t> vertices = vertices_of(curves);
+    for (std::size_t v : vertices) {
       problem.AddResidualBlock(new Anchor_residual(m_anchors[v], m_degrees[v] == 1 ? 0.5 : 0.02), nullptr,
                                m_vertices[v].data());
       if (!m_options.move_corners)
         problem.SetParameterBlockConstant(m_vertices[v].data());
     }
     if (problem.NumResidualBlocks() == 0)
-      return true;
+      return;
+    std::vector<Vector> kept_vertices;
+    std::vector<std::vector<Vector> > kept_points;
+    for (std::size_t v : vertices)
+      kept_vertices.push_back(m_vertices[v]);
+    for (std::size_t c : curves)
+      kept_points.push_back(m_curves[c].spline.points());
     Stop_on_cancel stop(proceed, share);
     ceres::Solver::Options options = solver_options(12, 1e-5);
     options.callbacks.push_back(&stop);
     ceres::Solver::Summary summary;
-    const std::vector<Vector> vertices = m_vertices;
-    const std::vector<Fitted_curve> curves = m_curves;
     ceres::Solve(options, &problem, &summary);
-    if (!summary.IsSolutionUsable()) {   // cancelling leaves the last state as well
-      m_vertices = vertices;
-      m_curves = curves;
-    } else
-      take_back_strays(vertices, curves);
-    for (Fitted_curve& curve : m_curves)
-      if (!curve.is_closed_without_vertex()) {
-        curve.spline.points().front() = m_vertices[curve.vertices[0]];
-        curve.spline.points().back() = m_vertices[curve.vertices[1]];
-      }
-    return !stop.is_cancelled;
+    // cancelling leaves the last state as well
+    const bool is_usable = summary.IsSolutionUsable();
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+      if (!is_usable || is_stray(m_vertices[vertices[k]], kept_vertices[k]))
+        m_vertices[vertices[k]] = kept_vertices[k];
+    for (std::size_t k = 0; k < curves.size(); ++k)
+      take_back_strays(m_curves[curves[k]], kept_points[k], is_usable);
   }
 
-  // Where a robust loss has lost all points, nothing holds a curve any more. What left its place by more than any point
-  // of its support is away from it, goes back there.
-  void take_back_strays(const std::vector<Vector>& vertices, const std::vector<Fitted_curve>& curves)
+  // one residual block for each span
+  void add_distances(ceres::Problem& problem, const std::vector<std::size_t>& support, double scale)
   {
-    const double farthest = 2. * (m_options.support_distance + 1.);
-    const auto is_stray = [&](const Vector& now, const Vector& before) { return !((now - before).norm() < farthest); };
-    for (std::size_t v = 0; v < m_vertices.size(); ++v)
-      if (is_stray(m_vertices[v], vertices[v]))
-        m_vertices[v] = vertices[v];
-    for (std::size_t c = 0; c < m_curves.size(); ++c) {
-      const std::vector<Vector> &now = m_curves[c].spline.points(), &before = curves[c].spline.points();
-      for (std::size_t i = 0; i < now.size(); ++i)
-        if (is_stray(now[i], before[i])) {
-          m_curves[c] = curves[c];
-          break;
-        }
+    std::map<std::pair<std::size_t, std::size_t>, Span_residual*> residuals;     // by curve and span
+    for (std::size_t i : support) {
+      const Support& s = m_support[i];
+      const Cubic_spline& spline = m_curves[s.curve].spline;
+      Span_residual*& residual = residuals[{s.curve, spline.span(s.parameter)}];
+      if (!residual)
+        residual = new Span_residual(scale);
+      const double d = m_band.distances[s.point];
+      const double worth = (0.03 + m_noise) / (0.03 + m_band.deviation(s.point, m_noise));
+      const double weight = m_options.use_robust_loss ? worth / std::sqrt(1. + 0.5 * d * d) : 1.;
+      residual->add(m_band.points[s.point], d, weight, spline.basis(s.parameter).values.data());
+    }
+    for (const auto& entry : residuals) {
+      Fitted_curve& curve = m_curves[entry.first.first];
+      const std::vector<double>& breaks = curve.spline.breaks();
+      const std::size_t span = entry.first.second;
+      add_residual(problem, entry.second, curve, curve.spline.basis(0.5 * (breaks[span] + breaks[span + 1])));
+    }
+  }
+
+  void add_residual(ceres::Problem& problem, ceres::CostFunction* residual, Fitted_curve& curve,
+                    const Cubic_spline::Basis& basis)
+  {
+    problem.AddResidualBlock(residual, nullptr, control(curve, basis.controls[0]), control(curve, basis.controls[1]),
+                             control(curve, basis.controls[2]), control(curve, basis.controls[3]));
+  }
+
+  // whether it left its place by more than any point of a curve's support is away from it
+  bool is_stray(const Vector& now, const Vector& before) const
+  {
+    return !((now - before).norm() < 2. * (m_options.support_distance + 1.));
+  }
+
+  // Where a robust loss has lost all points, nothing holds a curve any more: it goes back. The ends are at the vertices.
+  void take_back_strays(Fitted_curve& curve, const std::vector<Vector>& before, bool is_usable) const
+  {
+    std::vector<Vector>& points = curve.spline.points();
+    bool is_kept = is_usable;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      is_kept = is_kept && !is_stray(points[i], before[i]);
+    if (!is_kept)
+      points = before;
+    if (!curve.is_closed_without_vertex()) {
+      points.front() = m_vertices[curve.vertices[0]];
+      points.back() = m_vertices[curve.vertices[1]];
     }
   }
 
   // A prior for curves whose curvature changes slowly, the stronger the more the field errs. On an arc of curvature k the
   // third derivative is -k^2 times the first one; what differs from that is rough.
-  void add_roughness(ceres::Problem& problem)
+  void add_roughness(ceres::Problem& problem, Fitted_curve& curve)
   {
     const double roughness = m_options.adapt_knots ? 0.05 + 30. * m_noise : 0.05;
-    for (Fitted_curve& curve : m_curves) {
-      const std::vector<double>& breaks = curve.spline.breaks();
-      const std::vector<Vector> curvatures = span_curvatures(curve.spline);
-      for (std::size_t k = 1; k < breaks.size(); ++k) {
-        const double width = breaks[k] - breaks[k - 1];
-        const Vector curvature = typical_curvature(curve.spline, curvatures, k - 1);
-        const Cubic_spline::Basis first = curve.spline.basis(breaks[k - 1] + 0.25 * width),
-                                  second = curve.spline.basis(breaks[k] - 0.25 * width),
-                                  middle = curve.spline.basis(0.5 * (breaks[k] + breaks[k - 1]));
-        // the derivatives of short spans grow beyond bounds
-        const double weight = roughness * std::sqrt(width) * std::pow((std::min)(1., width), 2);
-        std::array<double, 4> factors;
-        for (int j = 0; j < 4; ++j)
-          factors[j] = weight
-            * ((second.values[8 + j] - first.values[8 + j]) / (0.5 * width)
-               + curvature.squaredNorm() * middle.values[4 + j]);
-        problem.AddResidualBlock(new Roughness_residual(factors), nullptr, control(curve, first.controls[0]),
-                                 control(curve, first.controls[1]), control(curve, first.controls[2]),
-                                 control(curve, first.controls[3]));
-      }
+    const std::vector<double>& breaks = curve.spline.breaks();
+    const std::vector<Vector> curvatures = span_curvatures(curve.spline);
+    for (std::size_t k = 1; k < breaks.size(); ++k) {
+      const double width = breaks[k] - breaks[k - 1];
+      const Vector curvature = typical_curvature(curve.spline, curvatures, k - 1);
+      const Cubic_spline::Basis first = curve.spline.basis(breaks[k - 1] + 0.25 * width),
+                                second = curve.spline.basis(breaks[k] - 0.25 * width),
+                                middle = curve.spline.basis(0.5 * (breaks[k] + breaks[k - 1]));
+      // the derivatives of short spans grow beyond bounds
+      const double weight = roughness * std::sqrt(width) * std::pow((std::min)(1., width), 2);
+      std::array<double, 4> factors;
+      for (int j = 0; j < 4; ++j)
+        factors[j] = weight
+          * ((second.values[8 + j] - first.values[8 + j]) / (0.5 * width)
+             + curvature.squaredNorm() * middle.values[4 + j]);
+      add_residual(problem, new Roughness_residual(factors), curve, first);
     }
   }
 

@@ -45,26 +45,26 @@ inline std::vector<std::size_t> indices_spread_by_distance(const std::vector<dou
                                                            const std::vector<Vector>& positions)
 {
   const double largest = distances.empty() ? 0. : *std::max_element(distances.begin(), distances.end());
-  std::vector<std::size_t> order;
+  struct Ranked { double distance; std::size_t index; };
+  std::vector<Ranked> order;
   for (std::size_t i = 0; i < distances.size(); ++i)
     if (distances[i] < largest)
-      order.push_back(i);
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
+      order.push_back({distances[i], i});
+  std::sort(order.begin(), order.end(), [](const Ranked& a, const Ranked& b) { return a.distance < b.distance; });
   // of different positions with the same distance none is taken: which one would depend on the order of the cloud
   std::vector<std::size_t> unique;
   for (std::size_t first = 0, beyond = 0; first < order.size(); first = beyond) {
     bool is_one_position = true;
-    for (beyond = first; beyond < order.size() && distances[order[beyond]] == distances[order[first]]; ++beyond)
-      is_one_position = is_one_position && positions[order[beyond]] == positions[order[first]];
+    for (beyond = first; beyond < order.size() && order[beyond].distance == order[first].distance; ++beyond)
+      is_one_position = is_one_position && positions[order[beyond].index] == positions[order[first].index];
     if (is_one_position)
-      unique.push_back(order[first]);
+      unique.push_back(order[first].index);
   }
-  order = unique;
-  if (order.size() < 64)
+  if (unique.size() < 64)
     return spread_indices(distances.size());
-  std::vector<std::size_t> indices = spread_indices(order.size());
+  std::vector<std::size_t> indices = spread_indices(unique.size());
   for (std::size_t& i : indices)
-    i = order[i];
+    i = unique[i];
   return indices;
 }
 

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FOR_EACH_PIECE_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FOR_EACH_PIECE_H
+
+#include <cstddef>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#endif
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// Calls work(begin, end) on pieces of [0, count) of about `size`, at the same time where there are threads for it. How it
+// is cut must not matter.
+template <class Work>
+void for_each_piece(std::size_t count, const Work& work, std::size_t size = 256)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, size),
+                    [&](const tbb::blocked_range<std::size_t>& range) { work(range.begin(), range.end()); });
+#else
+  (void)size;
+  work(std::size_t(0), count);
+#endif
+}
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FOR_EACH_PIECE_H

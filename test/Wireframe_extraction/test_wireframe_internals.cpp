@@ -1,0 +1,225 @@
+// Parts of the stages, on what is known in closed form or by trying all.
+
+#include <CGAL/Wireframe_extraction/internal/Curve_end_joiner.h>
+#include <CGAL/Wireframe_extraction/internal/Polyline_feet.h>
+#include <CGAL/Wireframe_extraction/internal/Primitive_curve.h>
+#include <CGAL/Wireframe_extraction/internal/Surface_evidence.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Wireframe_extraction::internal;
+
+typedef std::vector<Vector> Polyline;
+
+Vector random_vector(std::mt19937& random, double size)
+{
+  std::uniform_real_distribution<double> number(-size, size);
+  const double x = number(random), y = number(random), z = number(random);
+  return Vector(x, y, z);
+}
+
+Polyline circle(double radius, std::size_t count)
+{
+  Polyline points;
+  for (std::size_t k = 0; k < count; ++k)
+    points.push_back(radius * Vector(std::cos(2. * CGAL_PI * k / count), std::sin(2. * CGAL_PI * k / count), 0.));
+  points.push_back(points.front());
+  return points;
+}
+
+Polyline straight(const Vector& from, const Vector& to, std::size_t count)
+{
+  Polyline points;
+  for (std::size_t k = 0; k <= count; ++k)
+    points.push_back(from + (to - from) * (double(k) / double(count)));
+  return points;
+}
+
+Traced_curve open_curve(const Polyline& points)
+{
+  Traced_curve curve;
+  curve.points = points;
+  const std::size_t n = points.size();
+  curve.tips[0].point = points.front();
+  curve.tips[0].tangent = (points[0] - points[1]).normalized();
+  curve.tips[1].point = points.back();
+  curve.tips[1].tangent = (points[n - 1] - points[n - 2]).normalized();
+  return curve;
+}
+
+// A closed curve at which several others end falls into pieces between them: none of it is lost, and none runs twice.
+void test_closed_curve_that_is_split_several_times()
+{
+  const double radius = 100.;
+  for (const std::vector<double>& angles : {std::vector<double>{40.}, {40., 200.}, {200., 40.}, {10., 130., 131., 300.}}) {
+    std::vector<Traced_curve> traced(1);
+    traced[0].points = circle(radius, 1200);
+    traced[0].is_closed = true;
+    for (double angle : angles) {
+      const Vector outward(std::cos(angle * CGAL_PI / 180.), std::sin(angle * CGAL_PI / 180.), 0.);
+      traced.push_back(open_curve(straight(radius * outward, (radius + 60.) * outward, 120)));
+    }
+    Curve_network network(traced);
+    Curve_end_joiner(network, Joining_options()).join();
+    double on_circle = 0.;
+    std::size_t pieces = 0;
+    for (const Network_curve& curve : network.curves) {
+      if (!curve.is_alive || std::abs(curve.points[curve.points.size() / 2].norm() - radius) > 1.)
+        continue;
+      ++pieces;
+      on_circle += polyline_length(curve.points);
+      for (std::size_t k = 1; k < curve.points.size(); ++k)
+        assert((curve.points[k] - curve.points[k - 1]).norm() < 2.);
+    }
+    assert(pieces == angles.size());
+    assert(std::abs(on_circle - 2. * CGAL_PI * radius) < 1.);
+  }
+}
+
+// the nearest feet on several polylines, against trying every segment
+void test_nearest_feet()
+{
+  std::mt19937 random(1);
+  Field_band band;
+  for (int k = 0; k < 3000; ++k)
+    band.points.push_back(random_vector(random, 20.));
+  band.search.build(band.points, band.points.size());
+  std::vector<Polyline> polylines{circle(12., 150), straight(Vector(-18., 3., 1.), Vector(17., -2., 4.), 1),
+                                  straight(Vector(0., 0., -15.), Vector(0., 0., 15.), 40)};
+  Polyline walk{Vector(5., 5., 5.)};
+  for (int k = 0; k < 60; ++k)
+    walk.push_back(walk.back() + random_vector(random, 1.));
+  walk.push_back(walk.back());       // a segment without length
+  polylines.push_back(walk);
+  const double radius = 4.;
+  const std::vector<Polyline_foot> feet = nearest_feet(band, pointers_to(polylines), radius);
+  std::size_t valid = 0;
+  for (std::size_t i = 0; i < band.points.size(); ++i) {
+    double nearest = radius * radius;
+    for (const Polyline& polyline : polylines)
+      for (std::size_t k = 1; k < polyline.size(); ++k)
+        nearest = (std::min)(nearest, squared_distance_to_segment(band.points[i], polyline[k - 1], polyline[k]));
+    assert(feet[i].is_valid() == (nearest < radius * radius));
+    if (!feet[i].is_valid())
+      continue;
+    ++valid;
+    assert(std::abs(feet[i].distance - std::sqrt(nearest)) < 1e-9);
+    assert(std::abs((feet[i].point(polylines[feet[i].curve]) - band.points[i]).norm() - feet[i].distance) < 1e-9);
+  }
+  assert(valid > 300 && valid < 2700);
+}
+
+// two half-planes that leave the x-axis, each turned down by half of `fold`
+Field_band folded_surface(double fold, double noise, double curvature, std::mt19937& random)
+{
+  std::normal_distribution<double> error(0., 1.);
+  std::uniform_real_distribution<double> along(-12., 12.), across(-6., 6.);
+  Field_band band;
+  for (int k = 0; k < 24 * 12; ++k) {
+    const double s = along(random), x = across(random);
+    band.points.push_back(Vector(s, x * std::cos(0.5 * fold), -std::abs(x) * std::sin(0.5 * fold) + 0.5 * curvature * x * x)
+                          + noise * Vector(error(random), error(random), error(random)));
+  }
+  band.search.build(band.points, band.points.size());
+  return band;
+}
+
+void test_surface_evidence()
+{
+  std::mt19937 random(2);
+  const Polyline curve = straight(Vector(-10., 0., 0.), Vector(10., 0., 0.), 40);
+  for (double noise : {0., 0.05, 0.2})
+    for (double degrees : {0., 20., 45., 90.})
+      for (int k = 0; k < 10; ++k) {
+        const double fold = degrees * CGAL_PI / 180.;
+        const Field_band band = folded_surface(fold, noise, 0., random);
+        const Surface_evidence::Fold found = Surface_evidence(band).folds({&curve, nullptr})[0];
+        assert(found.is_known);
+        assert(found.deviation < 0.05 + 0.5 * noise);
+        // the plane under the heights follows the points, which matters where the slope is steep
+        const double slope = std::tan(0.5 * fold);
+        assert(std::abs(found.slope - slope) < 0.02 + 0.15 * slope + 4. * found.deviation);
+      }
+  // what is folded sharply is not a graph over the plane of most of its points, but never smooth either
+  for (double degrees : {120., 150., 165.}) {
+    const Field_band band = folded_surface(degrees * CGAL_PI / 180., 0.02, 0., random);
+    const Surface_evidence::Fold found = Surface_evidence(band).folds({&curve})[0];
+    assert(!found.is_known || found.slope + found.deviation > 0.15);
+  }
+  // a cylinder is not folded; a surface that is no graph over a plane says nothing
+  const Field_band cylinder = folded_surface(0., 0.02, 0.1, random);
+  const Surface_evidence::Fold found = Surface_evidence(cylinder).folds({&curve})[0];
+  assert(found.is_known && found.slope < 0.1);
+  Field_band cloud;
+  for (int k = 0; k < 3000; ++k)
+    cloud.points.push_back(random_vector(random, 11.));
+  cloud.search.build(cloud.points, cloud.points.size());
+  const Surface_evidence::Fold nothing = Surface_evidence(cloud).folds({&curve})[0];
+  assert(!nothing.is_known || nothing.slope + nothing.deviation > 0.15);
+  // nor does one without points
+  Field_band empty;
+  empty.search.build(empty.points, 0);
+  assert(!Surface_evidence(empty).folds({&curve})[0].is_known);
+}
+
+// derivatives of feet on lines and circles, against differences
+void test_foot_derivatives()
+{
+  std::mt19937 random(3);
+  for (Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE})
+    for (int round = 0; round < 50; ++round) {
+      Primitive_curve curve;
+      curve.kind = kind;
+      curve.center = random_vector(random, 5.);
+      curve.axis = random_vector(random, 1.).normalized();
+      curve.major = curve.axis.unitOrthogonal();
+      curve.major_radius = curve.minor_radius = 3. + random_vector(random, 1.).norm();
+      const Vector p = random_vector(random, 6.);
+      Eigen::Matrix<double, 3, Primitive_curve::most_parameters> columns;
+      curve.foot_derivatives(p, columns);
+      for (int i = 0; i < curve.number_of_parameters(); ++i) {
+        double step[Primitive_curve::most_parameters] = {};
+        step[i] = 1e-6;
+        const Vector ahead = curve.moved(step).foot(p);
+        step[i] = -1e-6;
+        const Vector difference = (ahead - curve.moved(step).foot(p)) / 2e-6;
+        assert((columns.col(i) - difference).norm() < 1e-4 * (1. + difference.norm()));
+      }
+    }
+}
+
+void test_different_positions()
+{
+  std::mt19937 random(4);
+  Polyline positions;
+  for (int k = 0; k < 2000; ++k) {
+    const Vector p = random_vector(random, 4.);
+    positions.push_back(Vector(std::round(p.x()), std::round(p.y()), std::round(p.z())));
+  }
+  const std::vector<std::size_t> found = different_positions(positions);
+  std::vector<std::size_t> expected;
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    if (std::find(positions.begin(), positions.begin() + i, positions[i]) == positions.begin() + i)
+      expected.push_back(i);
+  assert(found == expected);
+  assert(found.size() < positions.size());
+}
+
+} // namespace
+
+int main()
+{
+  test_closed_curve_that_is_split_several_times();
+  test_nearest_feet();
+  test_surface_evidence();
+  test_foot_derivatives();
+  test_different_positions();
+  return 0;
+}
