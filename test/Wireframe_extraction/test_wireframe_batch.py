@@ -134,9 +134,10 @@ class Batch_test(unittest.TestCase):
         self.put("in/b/part.ply", "cylinder.ply")
         self.put("in/bad.ply")
         os.truncate(self.folder / "in/bad.ply", 500)
-        (self.folder / "in/flat.xyz").write_text("".join(f"{i % 20} {i // 20} 0 9\n" for i in range(400)))
+        (self.folder / "in/flat.xyz").write_text("".join(f"{x * 0.1} {y * 0.1} 0 {x * 0.1 + 1}\n"
+                                                           for x in range(20) for y in range(20)))
         (self.folder / "in/list.txt").write_text("\ufeff# clouds\r\n\r\n  a/part.ply\t\r\nmissing.ply\nbad.ply\nflat.xyz\n"
-                                                 f"{self.folder.resolve()}/in/b/part.ply")
+                                                 f"{self.folder.resolve()}/in/b/part.ply", encoding="utf-8")
         done = self.run_batch("--format", "json", "--format", "polylines.txt", list_name="in/list.txt", code=SOME_FAILED)
         self.assertIn("3 of 5 clouds failed", done.stderr)
         self.assertEqual(self.files(), ["a/part.json", "a/part.polylines.txt", "b/part.json", "b/part.polylines.txt",
@@ -154,7 +155,7 @@ class Batch_test(unittest.TestCase):
             self.assertGreater(float(row["processor_seconds"]), 0)
             self.assertGreater(float(row["peak_megabytes"]), 1)
         for row, code, word in ((missing, BAD_INPUT, "missing.ply"), (bad, BAD_INPUT, "truncated"),
-                                (flat, NO_FEATURE, "--skeleton-distance")):
+                                (flat, NO_FEATURE, "plane")):
             self.assertEqual((row["status"], row["exit_code"], row["points"], row["outputs"]), ("failed", str(code), "", ""))
             self.assertIn(word, row["error"])
 
@@ -328,11 +329,11 @@ class Batch_test(unittest.TestCase):
         self.put_endless_cloud("a.ply")
         self.put("b.ply")
         self.put_list("a.ply", "b.ply")
-        self.run_batch("--timeout", 10, "--jobs", 2, code=SOME_FAILED)
+        self.run_batch("--timeout", 6, "--jobs", 2, code=SOME_FAILED)
         late, good = self.summary()
         self.assertEqual((late["status"], late["exit_code"], good["status"]), ("failed", "124", "ok"))
-        self.assertIn("took longer than 10 seconds (--timeout)", late["error"])
-        self.assertTrue(10 <= float(late["seconds"]) < 20, late)
+        self.assertIn("took longer than 6 seconds (--timeout)", late["error"])
+        self.assertTrue(6 <= float(late["seconds"]) < 12, late)
 
     def test_memory_limit(self):
         (self.folder / "a.xyz").write_text("".join(f"{i} {i % 7} {i % 5} {i % 3}\n" for i in range(300000)))
