@@ -178,8 +178,8 @@ private:
     {
       const std::string name = m_list.output_name(i);
       bool is_taken = name.compare(0, 7, ".batch/") == 0 || name == ".batch";
-      for(const std::string& output : outputs(i))
-        is_taken = is_taken || output == summary;
+      for(const std::string& format : m_options.formats)
+        is_taken = is_taken || name + "." + format == summary;
       if(is_taken)
         throw Error(BAD_INPUT, m_list.place(i) + ": " + name + " is the name of a file of the batch itself; rename "
                                + m_list.entry(i) + ", or give another --summary");
@@ -202,14 +202,12 @@ private:
       throw Error(USAGE_ERROR, path.string() + ": cannot be removed: " + code.message());
   }
 
-  // of a cloud, relative to the folder of outputs
-  std::vector<std::string> outputs(std::size_t i) const
+  fs::path output(std::size_t i, const std::string& format) const
   {
-    std::vector<std::string> result;
-    for(const std::string& format : m_options.formats)
-      result.push_back(m_list.output_name(i) + "." + format);
-    return result;
+    return m_folder / (m_list.output_name(i) + "." + format);
   }
+
+  Batch_record known_record(std::size_t i) const { return read_record(record_path(i), m_options.formats); }
 
   fs::path record_path(std::size_t i) const { return m_own_folder / "records" / (m_list.output_name(i) + ".record"); }
   fs::path slot_folder(std::size_t slot) const { return m_work_folder / std::to_string(slot); }
@@ -220,7 +218,7 @@ private:
     std::vector<std::size_t> to_do;
     for(std::size_t i = m_begin; i < m_end && signal_to_end() == 0; ++i)
     {
-      const Batch_record record = read_record(record_path(i), outputs(i));
+      const Batch_record record = known_record(i);
       if(!is_up_to_date(i, record))
         to_do.push_back(i);
       else
@@ -246,21 +244,25 @@ private:
       m_old_settings = record.settings;
       return false;
     }
-    return is_kept || are_there(outputs(i), record);
+    if(is_kept || are_outputs_there(i, record))
+      return true;
+    ++m_number_of_missing_outputs;
+    return false;
   }
 
-  bool are_there(const std::vector<std::string>& names, const Batch_record& record) const
+  bool are_outputs_there(std::size_t i, const Batch_record& record) const
   {
-    if(names.size() != record.outputs.size())
+    if(record.outputs.size() != m_options.formats.size())
       return false;
-    for(std::size_t k = 0; k < names.size(); ++k)
+    for(const auto& known : record.outputs)
     {
       std::error_code code;
-      const std::uintmax_t size = fs::file_size(m_folder / names[k], code);
-      if(code || names[k] != record.outputs[k].first || size != record.outputs[k].second)
+      const std::uintmax_t size = fs::file_size(output(i, known.first), code);
+      if(code || size != known.second)
         return false;
     }
-    return true;
+    return std::all_of(m_options.formats.begin(), m_options.formats.end(),
+                       [&](const std::string& format) { return record.has_output(format); });
   }
 
   Batch_status& status(std::size_t i) { return m_statuses[i - m_begin]; }
@@ -270,6 +272,9 @@ private:
     if(m_number_of_changed_clouds > 0)
       progress.say("Clouds that have changed since, so that they are done again: "
                    + std::to_string(m_number_of_changed_clouds));
+    if(m_number_of_missing_outputs > 0)
+      progress.say("Clouds whose outputs are of another --format, or no longer what they were, so that they are done again: "
+                   + std::to_string(m_number_of_missing_outputs));
     if(m_number_of_changed_settings > 0)
       progress.say("Clouds that were done with other options (" + m_old_settings + "; now " + m_options.settings
                    + "), so that they are done again: " + std::to_string(m_number_of_changed_settings));
@@ -292,41 +297,55 @@ private:
 
   void start(std::size_t i, std::size_t slot, Processes& processes, Batch_progress& progress)
   {
-    const Batch_record old = read_record(record_path(i), outputs(i));
+    std::string problem;
+    try
+    {
+      problem = prepare(i, slot);
+    }
+    catch(const Error& error) // other clouds may have better names
+    {
+      problem = error.what();
+    }
+    if(problem.empty())
+      processes.start(slot, (slot_folder(slot) / "messages").string(), [this, i, slot] { return extract(i, slot); });
+    else
+      tell_failure_without_record(i, problem, progress);
+  }
+
+  // returns why the cloud cannot be started, nothing if it can
+  std::string prepare(std::size_t i, std::size_t slot)
+  {
+    const Batch_record old = known_record(i);
     const std::string problem = why_outputs_are_not_ours(i, old);
     if(!problem.empty())
-    {
-      tell_failure(i, problem, progress);
-      m_problems[i] = problem;
-      return;
-    }
-    for(const auto& output : old.outputs)
-      remove(m_folder / output.first); // it may be of other options, or of what the cloud was
+      return problem;
+    for(const auto& known : old.outputs)
+      remove(output(i, known.first)); // it may be of other options, or of what the cloud was
     Job& job = m_jobs[slot];
     job.cloud = i;
     job.record = Batch_record();
     job.record.settings = m_options.settings;
     job.record.cloud = File_state(m_list.cloud(i));
     job.record.state = Batch_record::STARTED;
-    for(const std::string& output : outputs(i))
-      job.record.outputs.emplace_back(output, 0);
+    for(const std::string& format : m_options.formats)
+      job.record.outputs.emplace_back(format, 0);
     remove(slot_folder(slot));
     make_folder(slot_folder(slot) / "outputs");
     write_record(job.record, record_path(i), slot_folder(slot) / "record");
-    processes.start(slot, (slot_folder(slot) / "messages").string(), [this, i, slot] { return extract(i, slot); });
+    return std::string();
   }
 
   // No file is overwritten that no batch has made, least of all a cloud.
   std::string why_outputs_are_not_ours(std::size_t i, const Batch_record& record) const
   {
     std::error_code code;
-    for(const auto& output : record.outputs)
-      if(fs::equivalent(m_folder / output.first, m_list.cloud(i), code))
+    for(const auto& known : record.outputs)
+      if(fs::equivalent(output(i, known.first), m_list.cloud(i), code))
         return m_list.cloud(i) + ": was made by a batch in the same folder, and is a cloud now; give another --output-dir";
-    for(const std::string& output : outputs(i))
+    for(const std::string& format : m_options.formats)
     {
-      const fs::path path = m_folder / output;
-      if(fs::exists(fs::symlink_status(path, code)) && !record.owns(output))
+      const fs::path path = output(i, format);
+      if(fs::exists(fs::symlink_status(path, code)) && !record.has_output(format))
         return path.string() + ": is there already, and no batch has made it; move it away, or give another --output-dir";
     }
     return std::string();
@@ -338,8 +357,8 @@ private:
     try
     {
       std::vector<std::string> drafts;
-      for(std::size_t k = 0; k < m_options.formats.size(); ++k)
-        drafts.push_back(draft(i, slot, k).string());
+      for(const std::string& format : m_options.formats)
+        drafts.push_back(draft(i, slot, format).string());
       Batch_record record;
       record.result = m_extract(m_list.cloud(i), drafts);
       std::ofstream stream(slot_folder(slot) / "result", std::ios::binary);
@@ -354,9 +373,9 @@ private:
     }
   }
 
-  fs::path draft(std::size_t i, std::size_t slot, std::size_t k) const
+  fs::path draft(std::size_t i, std::size_t slot, const std::string& format) const
   {
-    return slot_folder(slot) / "outputs" / fs::path(outputs(i)[k]).filename();
+    return slot_folder(slot) / "outputs" / output(i, format).filename();
   }
 
   void finish(const Ended_process& ended, Batch_progress& progress)
@@ -374,13 +393,26 @@ private:
     record.state = is_well ? Batch_record::SUCCEEDED : Batch_record::FAILED;
     if(!is_well)
       record.outputs.clear();
-    write_record(record, record_path(i), slot_folder(ended.slot) / "record");
-    remove(slot_folder(ended.slot));
+    try
+    {
+      write_record(record, record_path(i), slot_folder(ended.slot) / "record");
+      remove(slot_folder(ended.slot));
+    }
+    catch(const Error& error)
+    {
+      return tell_failure_without_record(i, error.what(), progress);
+    }
     status(i) = is_well ? Batch_status::OK : Batch_status::FAILED;
     if(is_well)
       progress.count(true);
     else
       tell_failure(i, record.result.error, progress);
+  }
+
+  void tell_failure_without_record(std::size_t i, const std::string& error, Batch_progress& progress)
+  {
+    m_problems[i] = one_line(error);
+    tell_failure(i, m_problems[i], progress);
   }
 
   Cloud_result result_of(const Ended_process& ended) const
@@ -424,23 +456,24 @@ private:
   void move_outputs(std::size_t i, std::size_t slot, Batch_record& record) const
   {
     std::error_code code;
-    std::size_t k = 0;
-    for(; k < record.outputs.size() && !code; ++k)
+    for(auto& made : record.outputs)
     {
-      const fs::path target = m_folder / record.outputs[k].first;
+      const fs::path target = output(i, made.first);
       fs::create_directories(target.parent_path(), code);
       if(!code)
-        record.outputs[k].second = fs::file_size(draft(i, slot, k), code);
+        made.second = fs::file_size(draft(i, slot, made.first), code);
       if(!code)
-        fs::rename(draft(i, slot, k), target, code);
+        fs::rename(draft(i, slot, made.first), target, code);
       if(code)
+      {
+        record.result.exit_code = INTERNAL_ERROR;
         record.result.error = target.string() + ": cannot be written: " + code.message();
+        break;
+      }
     }
-    if(!code)
-      return;
-    record.result.exit_code = INTERNAL_ERROR;
-    for(const auto& output : record.outputs)
-      fs::remove(m_folder / output.first, code);
+    if(!record.result.error.empty())
+      for(const auto& made : record.outputs)
+        fs::remove(output(i, made.first), code);
   }
 
   void tell_failure(std::size_t i, const std::string& error, Batch_progress& progress)
@@ -469,7 +502,7 @@ private:
       {
         stream << summary_header() << '\n';
         for(std::size_t i = m_begin; i < m_end; ++i)
-          write_row(stream, m_list.entry(i), m_statuses[i - m_begin], record_for_summary(i));
+          write_row(stream, m_list.entry(i), m_list.output_name(i), m_statuses[i - m_begin], record_for_summary(i));
         return static_cast<bool>(stream);
       }, error);
     if(!is_written)
@@ -483,7 +516,7 @@ private:
       return record;
     const auto problem = m_problems.find(i);
     if(problem == m_problems.end())
-      return read_record(record_path(i), outputs(i));
+      return known_record(i);
     record.result.exit_code = USAGE_ERROR;
     record.result.error = problem->second;
     return record;
@@ -517,7 +550,7 @@ private:
   std::vector<Batch_status> m_statuses;
   std::vector<Job> m_jobs;
   std::map<std::size_t, std::string> m_problems; // of clouds that were not started
-  std::size_t m_number_of_changed_clouds = 0, m_number_of_changed_settings = 0;
+  std::size_t m_number_of_changed_clouds = 0, m_number_of_changed_settings = 0, m_number_of_missing_outputs = 0;
   std::string m_old_settings;
 };
 

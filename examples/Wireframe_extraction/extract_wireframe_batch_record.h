@@ -47,14 +47,14 @@ struct Batch_record
   State state = NONE;
   std::string settings;
   File_state cloud;
-  std::vector<std::pair<std::string, std::uintmax_t> > outputs; // with their sizes
+  std::vector<std::pair<std::string, std::uintmax_t> > outputs; // their formats and sizes; names need not be UTF-8
   Cloud_result result;
   double seconds = 0., processor_seconds = 0., peak_megabytes = 0.;
 
-  bool owns(const std::string& output) const
+  bool has_output(const std::string& format) const
   {
-    for(const auto& known : outputs)
-      if(known.first == output)
+    for(const auto& output : outputs)
+      if(output.first == format)
         return true;
     return false;
   }
@@ -102,7 +102,7 @@ inline std::string text_of_file(const std::filesystem::path& path)
 }
 
 // A record that cannot be read, as the machine stopped just then, is one of a cloud that was started.
-inline Batch_record read_record(const std::filesystem::path& path, const std::vector<std::string>& outputs)
+inline Batch_record read_record(const std::filesystem::path& path, const std::vector<std::string>& formats)
 {
   Batch_record record;
   std::error_code code;
@@ -115,8 +115,8 @@ inline Batch_record read_record(const std::filesystem::path& path, const std::ve
   catch(const nlohmann::json::exception&)
   {
     record.state = Batch_record::STARTED;
-    for(const std::string& output : outputs)
-      record.outputs.emplace_back(output, 0);
+    for(const std::string& format : formats)
+      record.outputs.emplace_back(format, 0);
   }
   return record;
 }

@@ -60,7 +60,9 @@ std::string joined(const Names& names, const char* separator, const Text& text)
   return result;
 }
 
-inline void write_row(std::ostream& stream, const std::string& cloud, Batch_status status, const Batch_record& record)
+// `output_name` is the name of the outputs without their extensions
+inline void write_row(std::ostream& stream, const std::string& cloud, const std::string& output_name,
+                      Batch_status status, const Batch_record& record)
 {
   const Cloud_result& result = record.result;
   stream << csv_field(cloud) << ',' << to_text(status) << ',';
@@ -76,7 +78,10 @@ inline void write_row(std::ostream& stream, const std::string& cloud, Batch_stat
   else
     stream << result.number_of_points << ',' << csv_number(result.sampling_distance, "%.9g") << ','
            << result.number_of_curves << ',' << result.number_of_corners;
-  const auto text_of_output = [](const std::pair<std::string, std::uintmax_t>& output) { return output.first; };
+  const auto text_of_output = [&](const std::pair<std::string, std::uintmax_t>& output)
+  {
+    return output_name + "." + output.first;
+  };
   const auto text_of_warning = [](const std::string& warning) { return warning; };
   stream << ',' << csv_field(joined(result.warnings, "; ", text_of_warning)) << ','
          << csv_field(joined(record.outputs, ";", text_of_output)) << '\n';

@@ -271,10 +271,21 @@ private:
         throw CLI::ExcludesError("--batch", name);
     if(m_options.batch.output_folder.empty())
       throw CLI::RequiredError("--batch: --output-dir");
-    if(m_options.batch.formats.empty())
-      m_options.batch.formats = { "json" };
+    complete_formats(m_options.batch.formats);
     m_options.batch.is_quiet = m_options.is_quiet;
     m_options.batch.settings = settings();
+  }
+
+  static void complete_formats(std::vector<std::string>& formats)
+  {
+    if(formats.empty())
+      formats = { "json" };
+    for(std::string& format : formats)
+      format.erase(0, format.find_first_not_of('.')); // .json is as good as json
+    for(std::size_t i = 0; i < formats.size(); ++i)
+      for(std::size_t j = 0; j < i; ++j)
+        if(formats[i] == formats[j])
+          throw CLI::ValidationError("--format: " + formats[i] + " is given twice");
   }
 
   // what was given and differs from the defaults, as it decides on the results; the version says which defaults these are
