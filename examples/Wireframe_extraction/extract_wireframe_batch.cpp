@@ -10,7 +10,8 @@ int number_of_processors() { return 1; }
 
 int run_batch(const Batch_options&, const Extract_cloud&)
 {
-  throw Error(USAGE_ERROR, "--batch needs processes that can be forked, which Windows has not; call the tool cloud by cloud");
+  throw Error(USAGE_ERROR, "--batch needs processes that can be forked, which Windows has not; call the tool cloud by "
+                           "cloud");
 }
 
 } // namespace tool
@@ -67,7 +68,11 @@ struct Part
       throw Error(USAGE_ERROR, "--part: \"" + text + "\" is not a part K/N, with K from 1 to N");
   }
 
-  std::size_t begin(std::size_t size) const { return size / count * (number - 1) + (std::min)(number - 1, size % count); }
+  std::size_t begin(std::size_t size) const
+  {
+    return size / count * (number - 1) + (std::min)(number - 1, size % count);
+  }
+
   std::size_t end(std::size_t size) const { return begin(size) + size / count + (number - 1 < size % count ? 1 : 0); }
   std::string name() const { return std::to_string(number) + "-of-" + std::to_string(count); }
 };
@@ -166,7 +171,8 @@ private:
     std::string line;
     std::getline(stream, line);
     if(line != summary_header())
-      throw Error(USAGE_ERROR, m_summary.string() + ": is there, and is not the summary of a batch; give another --summary");
+      throw Error(USAGE_ERROR, m_summary.string() + ": is there, and is not the summary of a batch; give "
+                               "another --summary");
   }
 
   void check_reserved_names() const
@@ -273,7 +279,8 @@ private:
       progress.say("Clouds that have changed since, so that they are done again: "
                    + std::to_string(m_number_of_changed_clouds));
     if(m_number_of_missing_outputs > 0)
-      progress.say("Clouds whose outputs are of another --format, or no longer what they were, so that they are done again: "
+      progress.say("Clouds whose outputs are of another --format, or no longer what they were, so that they are done "
+                   "again: "
                    + std::to_string(m_number_of_missing_outputs));
     if(m_number_of_changed_settings > 0)
       progress.say("Clouds that were done with other options (" + m_old_settings + "; now " + m_options.settings
@@ -341,12 +348,14 @@ private:
     std::error_code code;
     for(const auto& known : record.outputs)
       if(fs::equivalent(output(i, known.first), m_list.cloud(i), code))
-        return m_list.cloud(i) + ": was made by a batch in the same folder, and is a cloud now; give another --output-dir";
+        return m_list.cloud(i) + ": was made by a batch in the same folder, and is a cloud now; give another "
+               "--output-dir";
     for(const std::string& format : m_options.formats)
     {
       const fs::path path = output(i, format);
       if(fs::exists(fs::symlink_status(path, code)) && !record.has_output(format))
-        return path.string() + ": is there already, and no batch has made it; move it away, or give another --output-dir";
+        return path.string() + ": is there already, and no batch has made it; move it away, or give another "
+               "--output-dir";
     }
     return std::string();
   }

@@ -54,8 +54,8 @@ public:
   // where the cloud is
   std::string cloud(std::size_t i) const { return (m_folder / entry(i)).string(); }
 
-  // The name of the outputs, without extension, relative to the folder of outputs: the path of the cloud from the folder
-  // of inputs, or from the root if it is elsewhere. So it does not depend on what else is in the list.
+  // The name of the outputs, without extension, relative to the folder of outputs: the path of the cloud from the
+  // folder of inputs, or from the root if it is elsewhere. So it does not depend on what else is in the list.
   std::string output_name(std::size_t i) const
   {
     namespace fs = std::filesystem;

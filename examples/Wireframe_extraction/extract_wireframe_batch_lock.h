@@ -49,7 +49,8 @@ public:
 
   bool set_text(const std::string& text)
   {
-    return ftruncate(m_file, 0) == 0 && pwrite(m_file, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
+    return ftruncate(m_file, 0) == 0
+           && pwrite(m_file, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
   }
 
 private:
@@ -61,7 +62,7 @@ private:
   const int m_file;
 };
 
-// A whole batch has its folder for itself. Parts of one batch share it, if they are parts of the same: `key` tells that.
+// A whole batch has its folder for itself. Parts share it, if they are parts of the same batch: `key` tells that.
 class Batch_lock
 {
 public:

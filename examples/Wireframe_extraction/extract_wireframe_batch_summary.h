@@ -31,7 +31,8 @@ inline const char* to_text(Batch_status status)
 
 inline const char* summary_header()
 {
-  return "cloud,status,exit_code,error,seconds,processor_seconds,peak_megabytes,points,r,curves,corners,warnings,outputs";
+  return "cloud,status,exit_code,error,seconds,processor_seconds,peak_megabytes,points,r,curves,corners,warnings,"
+         "outputs";
 }
 
 inline std::string csv_field(const std::string& text)

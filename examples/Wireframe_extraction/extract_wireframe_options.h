@@ -223,8 +223,8 @@ private:
     const std::string group = "Many clouds";
     Batch_options& batch = m_options.batch;
     CLI::Option* const list = m_app.add_option("--batch", batch.list,
-                     "Instead of CLOUD: a text that names one cloud per line (- is the standard input), relative to its "
-                     "own folder; empty lines and lines that start with # do not count. Every cloud gets a process of "
+                     "Instead of CLOUD: a text that names one cloud per line (- is the standard input), relative to "
+                     "its own folder; empty lines and lines that start with # do not count. Every cloud gets a process of "
                      "its own, so that whatever happens to one, the others go on")
       ->type_name("LIST")->group(group);
     const auto add = [&](const char* name, auto& value, const char* type, const char* description)
@@ -234,18 +234,20 @@ private:
     add("--output-dir", batch.output_folder, "DIR",
         "Instead of OUT: the folder (made if missing) that gets the wireframe of a/b.ply as a/b.json. What is finished "
         "there is skipped, unless the cloud or the options have changed");
-    add("--format", batch.formats, "EXTENSION", "What is written, as often as needed: the extension of an OUT; json if not given")
+    add("--format", batch.formats, "EXTENSION",
+        "What is written, as often as needed: the extension of an OUT; json if not given")
       ->take_all()->allow_extra_args(false);
     add("--input-dir", batch.input_folder, "DIR",
-        "Where relative names in LIST start, and paths in the output folder; otherwise the folder of LIST, or for - the "
-        "current one");
+        "Where relative names in LIST start, and paths in the output folder; otherwise the folder of LIST, or for - "
+        "the current one");
     add("--summary", batch.summary, "FILE",
         "The table with a row per cloud, as CSV; otherwise summary.csv in the output folder");
     add_checked("--jobs", batch.number_of_jobs, 1, 1024,
-                "How many clouds at once; otherwise as many as there are processors. --threads counts for each of them, "
-                "and is such that they share the processors unless given", group)
+                "How many clouds at once; otherwise as many as there are processors. --threads counts for each of "
+                "them, and is such that they share the processors unless given", group)
       ->needs(list);
-    add_number("--timeout", batch.time_limit, 0., 1e8, false, "A cloud that takes longer fails, in seconds", group, false)
+    add_number("--timeout", batch.time_limit, 0., 1e8, false, "A cloud that takes longer fails, in seconds", group,
+               false)
       ->needs(list);
     add_checked("--memory-limit", batch.memory_limit, 1, 99999999, "A cloud that needs more fails, in megabytes", group)
       ->needs(list);
@@ -253,8 +255,8 @@ private:
                    "Do not try again what failed before with the same cloud and options")
       ->needs(list)->group(group);
     add("--part", batch.part, "K/N",
-        "Only the K-th of N parts of LIST, for jobs of a cluster, which may run at the same time with one output folder; "
-        "the summary is summary-K-of-N.csv then");
+        "Only the K-th of N parts of LIST, for jobs of a cluster, which may run at the same time with one output "
+        "folder; the summary is summary-K-of-N.csv then");
   }
 
   void check_files_are_given() const

@@ -99,8 +99,9 @@ class Batch_test(unittest.TestCase):
         self.assertEqual(self.files("."), before)
 
     def start_batch(self, *arguments):
-        process = subprocess.Popen([TOOL, "--batch", "list.txt", "--output-dir", "out", *map(str, arguments)], cwd=self.folder,
-                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8")
+        process = subprocess.Popen([TOOL, "--batch", "list.txt", "--output-dir", "out", *map(str, arguments)],
+                                   cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, encoding="utf-8")
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
         return process
@@ -136,9 +137,11 @@ class Batch_test(unittest.TestCase):
         os.truncate(self.folder / "in/bad.ply", 500)
         (self.folder / "in/flat.xyz").write_text("".join(f"{x * 0.1} {y * 0.1} 0 {x * 0.1 + 1}\n"
                                                            for x in range(20) for y in range(20)))
-        (self.folder / "in/list.txt").write_text("\ufeff# clouds\r\n\r\n  a/part.ply\t\r\nmissing.ply\nbad.ply\nflat.xyz\n"
+        (self.folder / "in/list.txt").write_text("\ufeff# clouds\r\n\r\n  a/part.ply\t\r\nmissing.ply\nbad.ply\n"
+                                                 "flat.xyz\n"
                                                  f"{self.folder.resolve()}/in/b/part.ply", encoding="utf-8")
-        done = self.run_batch("--format", "json", "--format", "polylines.txt", list_name="in/list.txt", code=SOME_FAILED)
+        done = self.run_batch("--format", "json", "--format", "polylines.txt", list_name="in/list.txt",
+                              code=SOME_FAILED)
         self.assertIn("3 of 5 clouds failed", done.stderr)
         self.assertEqual(self.files(), ["a/part.json", "a/part.polylines.txt", "b/part.json", "b/part.polylines.txt",
                                         "summary.csv"])
@@ -156,7 +159,8 @@ class Batch_test(unittest.TestCase):
             self.assertGreater(float(row["peak_megabytes"]), 1)
         for row, code, word in ((missing, BAD_INPUT, "missing.ply"), (bad, BAD_INPUT, "truncated"),
                                 (flat, NO_FEATURE, "plane")):
-            self.assertEqual((row["status"], row["exit_code"], row["points"], row["outputs"]), ("failed", str(code), "", ""))
+            self.assertEqual((row["status"], row["exit_code"], row["points"], row["outputs"]),
+                             ("failed", str(code), "", ""))
             self.assertIn(word, row["error"])
 
     def test_same_as_single_clouds(self):
@@ -170,7 +174,8 @@ class Batch_test(unittest.TestCase):
         self.put("a.ply")
         self.put_list("a.ply", "missing.ply")
         loud = self.run_batch(code=SOME_FAILED)
-        self.assertRegex(loud.stdout, r"Clouds +2: 1 ok, 0 done before, 1 failed, 0 pending\nSummary +out/summary.csv\n")
+        self.assertRegex(loud.stdout,
+                         r"Clouds +2: 1 ok, 0 done before, 1 failed, 0 pending\nSummary +out/summary.csv\n")
         self.assertIn("failed: missing.ply: ", loud.stderr)
         quiet = self.run_batch("--quiet", code=SOME_FAILED)
         self.assertEqual(quiet.stdout, "")
@@ -196,8 +201,8 @@ class Batch_test(unittest.TestCase):
 
     @unittest.skipUnless(sys.platform == "linux", "file names are bytes")
     def test_any_name(self):
-        names = ["a b.ply", 'say "a, b".ply', "-o.ply", "\u00e9.ply", os.fsdecode(b"\xe9.ply"), "a;b.x.ply", "a.record.ply",
-                 "a.ply"]
+        names = ["a b.ply", 'say "a, b".ply', "-o.ply", "\u00e9.ply", os.fsdecode(b"\xe9.ply"), "a;b.x.ply",
+                 "a.record.ply", "a.ply"]
         for name in names:
             self.put(name)
         (self.folder / "list.txt").write_bytes(b"".join(os.fsencode(name) + b"\n" for name in names))
@@ -424,7 +429,8 @@ class Batch_test(unittest.TestCase):
     def test_bad_lists(self):
         self.refuse(BAD_INPUT, ["list.txt"])
         for text, words in ((b"", ["names no cloud"]), (b"# none\n\n", ["names no cloud"]),
-                            (b"a.ply\nb\0c\n", ["list.txt:2", "zero byte"]), (b"a.ply\nsub/\n", ["list.txt:2", "folder"]),
+                            (b"a.ply\nb\0c\n", ["list.txt:2", "zero byte"]),
+                            (b"a.ply\nsub/\n", ["list.txt:2", "folder"]),
                             (b".batch/a.ply\n", ["list.txt:1", "batch itself"])):
             (self.folder / "list.txt").write_bytes(text)
             done = self.run_batch(code=BAD_INPUT)
@@ -438,7 +444,8 @@ class Batch_test(unittest.TestCase):
         for words, arguments in ((["--batch", "--output"], ["-o", "x.json"]), (["CLOUD"], ["a.ply"]),
                                  (["--stages"], ["--stages", "x"]), (["--distances"], ["--distances", "x"]),
                                  ([".xyz", "known are"], ["--format", "xyz"]), (["0/2"], ["--part", "0/2"]),
-                                 (["3/2"], ["--part", "3/2"]), (["twice"], ["--format", "obj", "--format", ".obj"]), (["1/x"], ["--part", "1/x"]), (["\"0\""], ["--jobs", 0]),
+                                 (["3/2"], ["--part", "3/2"]), (["twice"], ["--format", "obj", "--format", ".obj"]),
+                                 (["1/x"], ["--part", "1/x"]), (["\"0\""], ["--jobs", 0]),
                                  (["-1"], ["--timeout", -1]), (["\"x\""], ["--memory-limit", "x"]),
                                  (["list.txt", "summary"], ["--summary", "list.txt"]),
                                  (["nowhere", "--input-dir"], ["--input-dir", "nowhere"])):

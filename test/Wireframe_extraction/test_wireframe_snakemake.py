@@ -31,8 +31,8 @@ class Snakemake_test(unittest.TestCase):
 
     def run_workflow(self, *config, is_well=True, options=()):
         settings = {"tool": TOOL, "clouds_per_job": 2, "threads": 1, **dict(word.split("=", 1) for word in config)}
-        done = subprocess.run([SNAKEMAKE, "-s", str(WORKFLOW / "Snakefile"), "--profile", str(WORKFLOW / "profiles/local"),
-                               *options, "--config", *(f"{key}={value}" for key, value in settings.items())],
+        done = subprocess.run([SNAKEMAKE, "-s", str(WORKFLOW / "Snakefile"),
+                               "--profile", str(WORKFLOW / "profiles/local"), *options, "--config", *(f"{key}={value}" for key, value in settings.items())],
                               cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8",
                               env={**os.environ, "XDG_CACHE_HOME": str(self.folder / "cache")}, timeout=TIME_LIMIT)
         self.assertEqual(done.returncode == 0, is_well, done.stdout)
