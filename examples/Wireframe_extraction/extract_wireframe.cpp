@@ -1,5 +1,7 @@
 // The command line tool: a cloud with distances in, its wireframe out. See extract_wireframe --help.
 
+#include "extract_wireframe_batch.h"
+#include "extract_wireframe_error.h"
 #include "extract_wireframe_input.h"
 #include "extract_wireframe_options.h"
 #include "extract_wireframe_outputs.h"
@@ -34,6 +36,7 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -176,8 +179,22 @@ public:
     m_outputs.write(wireframe);
     m_seconds.emplace_back("writing", seconds_since(begin));
     progress.clear();
+    m_number_of_curves = wireframe.curves.size();
     if(!m_options.is_quiet)
       summarize(wireframe, stages);
+  }
+
+  // what a batch tells of this cloud
+  Cloud_result result() const
+  {
+    Cloud_result result;
+    result.number_of_points = m_report.number_of_points;
+    result.number_of_curves = m_number_of_curves;
+    result.number_of_corners = m_report.number_of_corners;
+    result.sampling_distance = m_report.sampling_distance;
+    for(const std::string& warning : m_report.warnings)
+      result.warnings.push_back(m_command_line.with_option_names(warning));
+    return result;
   }
 
 private:
@@ -313,7 +330,7 @@ private:
   const Output_files<Kernel> m_outputs;
   Stage_folder m_folder;
   Report m_report;
-  std::size_t m_number_of_skipped = 0;
+  std::size_t m_number_of_skipped = 0, m_number_of_curves = 0;
   std::vector<std::pair<std::string, double> > m_seconds;
   std::vector<std::string> m_notes;
 #ifdef CGAL_LINKED_WITH_TBB
@@ -321,48 +338,92 @@ private:
 #endif
 };
 
+// Does some work, and returns how it ended: the exit code, and what went wrong.
+std::pair<int, std::string> outcome_of(const std::function<int()>& work)
+{
+  try
+  {
+    return { work(), std::string() };
+  }
+  catch(const Error& error)
+  {
+    return { error.exit_code, error.what() };
+  }
+  catch(const std::bad_alloc&)
+  {
+    return { INTERNAL_ERROR, "there is not enough memory for this cloud" };
+  }
+  catch(const std::exception& error)
+  {
+    return { INTERNAL_ERROR, std::string("unexpected: ") + error.what() };
+  }
+}
+
+int run_one(const Command_line& command_line, const Options& options)
+{
+  Tool(command_line, options).run();
+  return SUCCESS;
+}
+
+// Cloud by cloud, each in a process of its own, where this is the same as if the tool were called for it.
+int run_many(const Command_line& command_line, const Options& options)
+{
+  Options of_cloud = options;
+  of_cloud.is_quiet = true;
+  if(of_cloud.number_of_threads == 0)
+    of_cloud.number_of_threads = (std::max)(number_of_processors() / (std::max)(options.batch.number_of_jobs, 1), 1);
+  if(options.batch.number_of_jobs == 0)
+    of_cloud.number_of_threads = (std::max)(options.number_of_threads, 1);
+  for(const std::string& format : options.batch.formats)
+    Output_files<Kernel>::check_extension("--format ." + format);
+  return run_batch(options.batch, [&](const std::string& cloud, const std::vector<std::string>& outputs)
+  {
+    Cloud_result result;
+    of_cloud.input.files = { cloud };
+    of_cloud.outputs = outputs;
+    std::tie(result.exit_code, result.error) = outcome_of([&]
+    {
+      Tool tool(command_line, of_cloud);
+      tool.run();
+      result = tool.result();
+      return SUCCESS;
+    });
+    return result;
+  });
+}
+
+int parse_and_run(int argc, char** argv)
+{
+  Options options;
+  Command_line command_line(options);
+  try
+  {
+    command_line.parse(argc, argv);
+  }
+  catch(const CLI::ParseError& error)
+  {
+    if(error.get_exit_code() == 0)
+      return command_line.show_help_or_version(error);
+    throw Error(USAGE_ERROR, std::string(error.what()) + " (extract_wireframe --help tells more)");
+  }
+  return options.has_batch ? run_many(command_line, options) : run_one(command_line, options);
+}
+
 // whatever went wrong is said in one line, whose start scripts can rely on
-int fail(Exit_code code, std::string text)
+void tell_error(std::string text)
 {
   for(char& c : text)
     if(static_cast<unsigned char>(c) < 32 || c == 127)
       c = ' ';
   std::cerr << "extract_wireframe: error: " << text << '\n';
-  return code;
 }
 
 } // namespace tool
 
 int main(int argc, char** argv)
 {
-  try
-  {
-    tool::Options options;
-    tool::Command_line command_line(options);
-    try
-    {
-      command_line.parse(argc, argv);
-    }
-    catch(const CLI::ParseError& error)
-    {
-      if(error.get_exit_code() == 0)
-        return command_line.show_help_or_version(error);
-      return tool::fail(tool::USAGE_ERROR,
-                        std::string(error.what()) + " (extract_wireframe --help tells more)");
-    }
-    tool::Tool(command_line, options).run();
-    return tool::SUCCESS;
-  }
-  catch(const tool::Error& error)
-  {
-    return tool::fail(error.exit_code, error.what());
-  }
-  catch(const std::bad_alloc&)
-  {
-    return tool::fail(tool::INTERNAL_ERROR, "there is not enough memory for this cloud");
-  }
-  catch(const std::exception& error)
-  {
-    return tool::fail(tool::INTERNAL_ERROR, std::string("unexpected: ") + error.what());
-  }
+  const std::pair<int, std::string> outcome = tool::outcome_of([=] { return tool::parse_and_run(argc, argv); });
+  if(!outcome.second.empty())
+    tool::tell_error(outcome.second);
+  return outcome.first;
 }

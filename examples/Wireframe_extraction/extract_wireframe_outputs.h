@@ -38,11 +38,16 @@ public:
     {
       if(name.empty())
         throw Error(USAGE_ERROR, "the name of an output file is empty");
-      const std::string extension = CGAL::IO::internal::lower_extension(name);
-      if(writers().count(extension) == 0)
-        throw Error(USAGE_ERROR, name + ": " + why_unknown(extension));
+      check_extension(name);
       check_writable(name);
     }
+  }
+
+  static void check_extension(const std::string& name)
+  {
+    const std::string extension = CGAL::IO::internal::lower_extension(name);
+    if(writers().count(extension) == 0)
+      throw Error(USAGE_ERROR, name + ": " + why_unknown(extension));
   }
 
   // All files are written, or none of them is: each takes its place only when all that follow have theirs.
