@@ -193,14 +193,6 @@ private:
 
   static std::string pixels(double value) { return number_to_string(std::round(1000. * value) / 1000.); }
 
-  static std::string hexadecimal(const Colour& colour)
-  {
-    std::string text = "#";
-    for(const int channel : { colour.red, colour.green, colour.blue })
-      text += std::string(1, "0123456789abcdef"[channel / 16]) + "0123456789abcdef"[channel % 16];
-    return text;
-  }
-
   const Sampled_wireframe& sampled_;
   std::array<Svg_view, 4> views_;
   Coordinates low_ = { { 0., 0., 0. } }, high_ = { { 0., 0., 0. } };
