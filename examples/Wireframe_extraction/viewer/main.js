@@ -231,11 +231,16 @@ byId("point-share").addEventListener("input", updatePoints);
 byId("field-range").addEventListener("input", updateField);
 
 function updatePoints() {
-  const share = byId("point-share").value / 100;
-  const count = Math.round(share * data.cloud.samples.length / 4);
+  view?.setPointShare(byId("point-share").value / 100);
+  showPointCount();
+}
+
+function showPointCount() {
+  const wanted = Math.round(byId("point-share").value / 100 * data.cloud.samples.length / 4);
+  const drawn = view && !view.isMoving && view.isThinned() ? view.drawnPoints : wanted;
   byId("point-count").textContent =
-    `${count.toLocaleString("en")} of ${data.number_of_points.toLocaleString("en")} points`;
-  view?.setPointShare(share);
+    `${drawn.toLocaleString("en")} of ${data.number_of_points.toLocaleString("en")} points`
+    + (drawn < wanted ? ", as many as this computer draws quickly" : "");
 }
 
 function updateField() {
@@ -264,6 +269,8 @@ for (const name of ["curves", "run"])
   });
 
 showRun(byId("panel-run"), data);
+if (view)
+  view.onRefine = showPointCount;
 updatePoints();
 updateField();
 updateCurves();

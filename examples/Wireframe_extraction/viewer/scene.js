@@ -11,8 +11,8 @@ import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeome
 
 import { channels, fieldStops } from "./colours.js";
 
-const fewestPoints = 20000;   // of the cloud while it is turned
-const slowFrame = 45, fastFrame = 20; // in milliseconds
+const fewestPoints = 20000;                      // that are drawn however slow the computer is
+const frameTime = { motion: 40, rest: 1500 };    // how long a frame may take, in milliseconds
 
 const cloudVertexShader = `
   attribute vec4 sample_;
@@ -63,7 +63,7 @@ export class View {
     this.controls.addEventListener("change", () => this.onMove());
     this.objects = {};
     this.pointShare = 1;
-    this.movingPoints = 1e6;
+    this.mostPoints = { motion: 200000, rest: 200000 };   // until it is known how quick the computer is
     this.addLayers();
     this.addCloud();
     this.addVertices();
@@ -96,17 +96,23 @@ export class View {
 
   // Points come in random order: the first ones are an even thinning of all.
   setNumberOfPoints(count) {
-    this.objects.cloud.geometry.setDrawRange(0, Math.max(1, Math.round(count)));
+    this.drawnPoints = Math.max(1, Math.round(count));
+    this.objects.cloud.geometry.setDrawRange(0, this.drawnPoints);
   }
 
   setPointShare(share) {
     this.pointShare = share;
-    this.setNumberOfPoints(this.pointsAtRest());
+    this.setNumberOfPoints(this.pointsFor("rest"));
     this.draw();
   }
 
-  pointsAtRest() {
-    return Math.max(1, Math.round(this.pointShare * this.numberOfPoints));
+  // what is wanted, or what the computer is known to draw quickly enough
+  pointsFor(state) {
+    return Math.min(this.mostPoints[state], this.pointShare * this.numberOfPoints);
+  }
+
+  isThinned() {
+    return this.drawnPoints + 1 < this.pointShare * this.numberOfPoints;
   }
 
   setPointSize(size) {
@@ -125,24 +131,58 @@ export class View {
 
   // While the view moves, fewer points are drawn if all of them would take too long.
   onMove() {
-    const now = performance.now();
-    if (this.lastMove && now - this.lastMove < 300)
-      this.adaptPoints(now - this.lastMove);
-    this.lastMove = now;
-    this.setNumberOfPoints(Math.min(this.movingPoints, this.pointsAtRest()));
+    this.isMoving = true;
+    this.setNumberOfPoints(this.pointsFor("motion"));
     clearTimeout(this.rest);
     this.rest = setTimeout(() => {
-      this.setNumberOfPoints(this.pointsAtRest());
-      this.draw();
+      this.isMoving = false;
+      this.refine();
     }, 250);
     this.draw();
   }
 
-  adaptPoints(milliseconds) {
-    if (milliseconds > slowFrame)
-      this.movingPoints = Math.max(fewestPoints, Math.min(this.movingPoints, this.numberOfPoints) / 2);
-    else if (milliseconds < fastFrame)
-      this.movingPoints = Math.min(this.movingPoints * 1.2, this.numberOfPoints);
+  // at rest, more and more points
+  refine() {
+    if (!this.isMoving && this.pointsFor("rest") > this.drawnPoints + 1) {
+      this.setNumberOfPoints(this.pointsFor("rest"));
+      this.draw();
+    }
+    this.onRefine?.();
+  }
+
+  // Learns from how long a frame took.
+  learn(milliseconds, points) {
+    const state = this.isMoving ? "motion" : "rest";
+    if (milliseconds > frameTime[state])
+      this.mostPoints[state] = Math.max(fewestPoints, this.isMoving ? points / 2 : points);
+    else if (milliseconds < frameTime[state] / 2)
+      this.mostPoints[state] = Math.max(this.mostPoints[state], 2 * points);
+  }
+
+  // Waits until the frame is drawn that was just sent; until then, no other one is sent.
+  waitForFrame() {
+    const gl = this.renderer.getContext();
+    const begin = performance.now(), points = this.drawnPoints;
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    this.isBusy = true;
+    const look = () => {
+      if (gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) {
+        setTimeout(look, 2);
+        return;
+      }
+      gl.deleteSync(fence);
+      this.isBusy = false;
+      // the first frame also prepares all later ones
+      if (this.hasDrawn && this.objects.cloud.visible)
+        this.learn(performance.now() - begin, points);
+      this.hasDrawn = true;
+      if (this.isAsked)
+        this.draw();
+      else
+        this.refine();
+    };
+    setTimeout(look, 1);
   }
 
   // the stages ------------------------------------------------------------------------------------
@@ -337,16 +377,19 @@ export class View {
 
   // at the next frame, however often it is asked for
   draw() {
-    if (this.frame)
+    this.isAsked = true;
+    if (this.frame || this.isBusy)
       return;
     this.frame = requestAnimationFrame(() => {
       this.frame = 0;
+      this.isAsked = false;
       const away = this.camera.position.distanceTo(this.controls.target);
       this.camera.near = Math.max(away / 1000, away - 4);
       this.camera.far = away + 4;
       this.camera.updateProjectionMatrix();
       this.renderer.render(this.scene, this.camera);
       this.drawAxes();
+      this.waitForFrame();
     });
   }
 
