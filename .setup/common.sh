@@ -7,9 +7,9 @@ packages=(g++ make cmake python3 libcgal-dev libeigen3-dev libceres-dev libtbb-d
 # and the tests, which also read what was written, and write what is to be read.
 # shellcheck disable=SC2034
 test_packages=(libyaml-cpp-dev libocct-data-exchange-dev libhdf5-dev zlib1g-dev python3-ezdxf python3-numpy)
-# Readers of written files that are large, for `test/run --all`; what needs them is skipped without.
+# Readers of written files, and what draws, which are large, for `test/run --all`; what needs them is skipped without.
 # shellcheck disable=SC2034
-reader_packages=(freecad python3-vtk9)
+reader_packages=(freecad python3-vtk9 npm chromium libcgal-qt5-dev libgl1-mesa-dri xvfb xauth)
 packages_are_checked=yes
 
 fail()
