@@ -4,6 +4,7 @@
 #include "extract_wireframe_options.h"
 #include "extract_wireframe_outputs.h"
 #include "extract_wireframe_page.h"
+#include "extract_wireframe_picture.h"
 #include "extract_wireframe_stages.h"
 #include "extract_wireframe_summary.h"
 
@@ -322,6 +323,11 @@ private:
       {
         return write_page(stream, page_texts(wireframe), cloud, stages.stages(), wireframe, error);
       } });
+    if(m_options.has_png)
+      result.push_back({ m_options.png, [this, &cloud, &wireframe](std::ostream& stream, std::string& error)
+      {
+        return write_picture(stream, m_options.view, cloud, wireframe, error);
+      } });
     return result;
   }
 
@@ -345,6 +351,8 @@ private:
     std::vector<std::string> files = m_options.outputs;
     if(m_options.has_html)
       files.push_back(m_options.html);
+    if(m_options.has_png)
+      files.push_back(m_options.png);
     files.insert(files.end(), stages.written_files().begin(), stages.written_files().end());
     print_summary(std::cout, summary(wireframe), m_seconds, files);
     for(const std::string& remark : remarks())

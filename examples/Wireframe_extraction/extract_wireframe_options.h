@@ -5,6 +5,7 @@
 
 #include "extract_wireframe_input.h"
 #include "extract_wireframe_page.h"
+#include "extract_wireframe_picture.h"
 
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
@@ -48,8 +49,9 @@ struct Options
   Input input;
   std::string stages_folder;
   std::vector<std::string> outputs;
-  std::string html;
-  bool has_stages = false, has_html = false, is_paper = false, is_quiet = false;
+  std::string html, png;
+  View view = View::ISOMETRIC;   // of the picture
+  bool has_stages = false, has_html = false, has_png = false, is_paper = false, is_quiet = false;
   int number_of_threads = 0;      // 0: as many as there are
   double sampling_distance = 0.;  // 0: to be estimated
   Length_unit unit = Length_unit::MILLIMETER;
@@ -141,8 +143,9 @@ public:
                              {m_options.input.files[1] + " (several clouds are read as --patches of one)"});
     m_options.has_stages = m_app.count("--stages") > 0;
     m_options.has_html = m_app.count("--html") > 0;
-    if(m_options.outputs.empty() && !m_options.has_html)
-      throw CLI::RequiredError("--output (or --html)");
+    m_options.has_png = m_app.count("--png") > 0;
+    if(m_options.outputs.empty() && !m_options.has_html && !m_options.has_png)
+      throw CLI::RequiredError("--output (or --html, or --png)");
   }
 
   // what the options are in this run, the files left out
@@ -185,6 +188,11 @@ private:
                      "Write a page that shows the cloud, the stages and the curves in a browser, in one file that needs "
                      "nothing else")
       ->type_name("OUT.html")->group(group);
+    m_app.add_option("--png", m_options.png, "Write a picture of the cloud, the curves and the vertices; it takes no display")
+      ->type_name("OUT.png")->group(group);
+    add_choice("--view", m_options.view,
+               {{"isometric", View::ISOMETRIC}, {"front", View::FRONT}, {"right", View::RIGHT}, {"top", View::TOP}},
+               "From where the picture of --png is taken, as in .svg", group);
     add_choice("--unit", m_options.unit,
                {{"um", Length_unit::MICROMETER}, {"mm", Length_unit::MILLIMETER},
                 {"cm", Length_unit::CENTIMETER}, {"m", Length_unit::METER},

@@ -53,6 +53,8 @@ public:
     }
     if(m_options.has_html)
       check_page();
+    if(m_options.has_png)
+      check_picture();
   }
 
   // All files are written, or none of them is: each takes its place only when all that follow have theirs.
@@ -76,8 +78,8 @@ private:
     if(CGAL::IO::internal::is_cad_extension(extension))
       return "this extract_wireframe was built without OpenCASCADE, which " + extension
              + " needs; install it (Debian: libocct-data-exchange-dev) and build again";
-    if(extension == ".html")
-      return "a page is written with --html OUT.html";
+    if(extension == ".html" || extension == ".png")
+      return "it shows the cloud, too; write it with --" + extension.substr(1) + " OUT" + extension;
     return std::string("unknown extension of a wireframe; known are ") + CGAL::IO::internal::known_wireframe_extensions();
   }
 
@@ -89,6 +91,16 @@ private:
       throw Error(USAGE_ERROR, m_options.html + ": this extract_wireframe was built without the viewer that --html needs; "
                                "install npm (Debian: npm), configure and build again");
     check_writable(m_options.html);
+  }
+
+  void check_picture() const
+  {
+    if(m_options.png.empty())
+      throw Error(USAGE_ERROR, "the name of the picture is empty; give --png OUT.png");
+    if(!has_png())
+      throw Error(USAGE_ERROR, m_options.png + ": this extract_wireframe was built without libpng, which --png needs; "
+                               "install it (Debian: libpng-dev) and build again");
+    check_writable(m_options.png);
   }
 
   static const std::map<std::string, Writer>& writers()
@@ -223,6 +235,8 @@ inline void check_that_files_differ(const Options& options)
     add(name, true);
   if(options.has_html)
     add(options.html, true);
+  if(options.has_png)
+    add(options.png, true);
   if(options.has_stages)
     for(const std::string& name : Stage_folder::file_names())
       add((fs::path(options.stages_folder) / name).string(), true);

@@ -1,5 +1,7 @@
 #include "extract_wireframe_page.h"
 
+#include "extract_wireframe_cloud.h"
+
 #include <CGAL/Wireframe_extraction/IO/internal/Sampled_wireframe.h>
 #include <CGAL/Wireframe_extraction/IO/internal/byte_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/curve_tools.h>
@@ -14,9 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <ostream>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -47,11 +47,6 @@ typedef nlohmann::json Json;
 
 // more points than this are thinned out: they would make the page large, and none of them is missed
 const std::size_t most_cloud_points = 1000000, most_stage_points = 150000;
-
-Coordinates coordinates_of(const Kernel::Point_3& point)
-{
-  return { { point.x(), point.y(), point.z() } };
-}
 
 // Where the cloud is. On the page, positions are relative to it, so that single precision is enough.
 class Frame
@@ -117,34 +112,6 @@ void append_colour(const Colour& colour, std::string& bytes)
 {
   for(const unsigned char channel : { colour.red, colour.green, colour.blue })
     bytes += static_cast<char>(channel);
-}
-
-// what was read but is left out by --skip-invalid is not shown
-bool is_valid(const Cloud::value_type& sample)
-{
-  return CGAL::IO::internal::is_finite_point(coordinates_of(sample.first)) && std::isfinite(sample.second)
-         && sample.second >= 0.;
-}
-
-std::vector<std::size_t> indices_of_valid(const Cloud& cloud)
-{
-  std::vector<std::size_t> indices;
-  indices.reserve(cloud.size());
-  for(std::size_t i = 0; i < cloud.size(); ++i)
-    if(is_valid(cloud[i]))
-      indices.push_back(i);
-  return indices;
-}
-
-// Brings as many as are shown into a random order, so that the first ones are an even thinning of all. It is the same
-// in each run.
-void shuffle(std::vector<std::size_t>& indices)
-{
-  std::mt19937_64 random;
-  const std::size_t count = (std::min)(indices.size(), most_cloud_points);
-  for(std::size_t i = 0; i < count; ++i)
-    std::swap(indices[i], indices[i + static_cast<std::size_t>(random() % (indices.size() - i))]);
-  indices.resize(count);
 }
 
 // Four numbers of 16 bits each: the position and the distance. That is exact to 1/65535 of the size of the cloud.
@@ -269,10 +236,19 @@ Json json_of_colours()
   return json;
 }
 
+Json json_of_field_colours()
+{
+  Json json = Json::array();
+  for(const CGAL::IO::internal::Colour& colour : field_colours())
+    json.push_back(CGAL::IO::internal::hexadecimal(colour));
+  return json;
+}
+
 Json json_of_texts(const Page_texts& texts)
 {
   Json json = { { "format", "wireframe page" }, { "version", 1 }, { "title", texts.title }, { "unit", texts.unit },
-                { "program", texts.program }, { "warnings", texts.warnings }, { "type_colours", json_of_colours() } };
+                { "program", texts.program }, { "warnings", texts.warnings }, { "type_colours", json_of_colours() },
+                { "field_colours", json_of_field_colours() } };
   for(const char* const name : { "summary", "seconds", "parameters" })
     json[name] = Json::array();
   for(const auto& row : texts.summary)
@@ -324,7 +300,7 @@ bool write_page(std::ostream& stream, const Page_texts& texts, const Cloud& clou
     return false;
   }
   const std::size_t number_of_points = indices.size();
-  shuffle(indices);
+  thin(indices, most_cloud_points);
   Json json = json_of_texts(texts);
   json["number_of_points"] = number_of_points;
   json["sampling_distance"] = CGAL::to_double(wireframe.sampling_distance);

@@ -1,7 +1,5 @@
-// The colours of the page. Those of the types of curves come with the data: they are the ones of the other formats.
-
-// of the cloud, from a feature to far away from it: the cloud stays pale where nothing is
-export const fieldStops = ["#35136b", "#2f5fae", "#4fb0b3", "#b5dfae", "#f1efcf"];
+// The colours of the page. Those of the cloud and of the types of curves come with the data: they are the ones of the
+// pictures and the other formats.
 
 // of residuals, from small to large
 const residualStops = ["#2a9d5c", "#d6c02c", "#e07a1f", "#c2182b"];

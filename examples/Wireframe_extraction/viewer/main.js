@@ -1,6 +1,6 @@
 // Puts the page together: what is chosen on the left decides what is seen in the middle and listed on the right.
 
-import { channels, colourOfIndex, colourOfResidual, fieldStops } from "./colours.js";
+import { channels, colourOfIndex, colourOfResidual } from "./colours.js";
 import { radiusText, readData, short, typeNames } from "./data.js";
 import { CurveTable, make, showRun } from "./panels.js";
 import { View } from "./scene.js";
@@ -225,7 +225,7 @@ window.addEventListener("keydown", event => {
 
 // the cloud ------------------------------------------------------------------------------------------
 
-byId("field-scale").style.background = `linear-gradient(to right, ${fieldStops.join(", ")})`;
+byId("field-scale").style.background = `linear-gradient(to right, ${data.field_colours.join(", ")})`;
 byId("point-size").addEventListener("input", event => view?.setPointSize(Number(event.target.value)));
 byId("point-share").addEventListener("input", updatePoints);
 byId("field-range").addEventListener("input", updateField);

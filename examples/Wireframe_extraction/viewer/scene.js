@@ -9,7 +9,7 @@ import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 
-import { channels, fieldStops } from "./colours.js";
+import { channels } from "./colours.js";
 
 const fewestPoints = 20000;                      // that are drawn however slow the computer is
 const frameTime = { motion: 40, rest: 1500 };    // how long a frame may take, in milliseconds
@@ -87,7 +87,7 @@ export class View {
       uniforms: {
         size: { value: 2 },
         range: { value: 1 },
-        stops: { value: fieldStops.map(colour => new Vector3(...channels(colour))) }
+        stops: { value: this.data.field_colours.map(colour => new Vector3(...channels(colour))) }
       }
     });
     this.add("cloud", new Points(geometry, this.cloudMaterial));
