@@ -1,5 +1,5 @@
-# Gives the target CGAL::Wireframe_extraction_Qt, the library with CGAL::draw(wireframe), if CGAL's viewer and Qt are there
-# (Debian: libcgal-qt5-dev). Without them there is no such target, and no error.
+# Gives the target CGAL::Wireframe_extraction_Qt, the library with CGAL::draw(wireframe), if CGAL's viewer and Qt are
+# there (Debian: libcgal-qt5-dev). Without them there is no such target, and no error.
 
 # CGAL 5 draws with Qt 5, and CGAL 6 with Qt 6.
 if(CGAL_VERSION VERSION_LESS 6.0)

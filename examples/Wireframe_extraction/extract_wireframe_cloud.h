@@ -49,8 +49,8 @@ inline std::vector<std::size_t> indices_of_valid(const Cloud& cloud)
   return indices;
 }
 
-// Leaves at most that many, in a random order, so that the first ones are an even thinning of all. It is the same in each
-// run.
+// Leaves at most that many, in a random order, so that the first ones are an even thinning of all. It is the same in
+// each run.
 inline void thin(std::vector<std::size_t>& indices, std::size_t most)
 {
   std::mt19937_64 random;

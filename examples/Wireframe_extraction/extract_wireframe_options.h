@@ -185,10 +185,11 @@ private:
                      ".polylines.txt .txt .cgal (sampled curves), .svg (a drawing), or .csv (a table)")
       ->take_all()->allow_extra_args(false)->type_name("OUT")->group(group);
     m_app.add_option("--html", m_options.html,
-                     "Write a page that shows the cloud, the stages and the curves in a browser, in one file that needs "
-                     "nothing else")
+                     "Write a page that shows the cloud, the stages and the curves in a browser, in one file that "
+                     "needs nothing else")
       ->type_name("OUT.html")->group(group);
-    m_app.add_option("--png", m_options.png, "Write a picture of the cloud, the curves and the vertices; it takes no display")
+    m_app.add_option("--png", m_options.png,
+                     "Write a picture of the cloud, the curves and the vertices; it takes no display")
       ->type_name("OUT.png")->group(group);
     add_choice("--view", m_options.view,
                {{"isometric", View::ISOMETRIC}, {"front", View::FRONT}, {"right", View::RIGHT}, {"top", View::TOP}},

@@ -88,8 +88,8 @@ private:
     if(m_options.html.empty())
       throw Error(USAGE_ERROR, "the name of the page is empty; give --html OUT.html");
     if(!has_viewer())
-      throw Error(USAGE_ERROR, m_options.html + ": this extract_wireframe was built without the viewer that --html needs; "
-                               "install npm (Debian: npm), configure and build again");
+      throw Error(USAGE_ERROR, m_options.html + ": this extract_wireframe was built without the viewer that --html "
+                               "needs; install npm (Debian: npm), configure and build again");
     check_writable(m_options.html);
   }
 

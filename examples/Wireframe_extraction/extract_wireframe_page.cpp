@@ -198,8 +198,8 @@ Json index_or_null(std::size_t vertex)
 
 Json json_of_curve(std::size_t index, const CGAL::Wireframe_curve<Kernel>& curve, std::size_t first, std::size_t count)
 {
-  Json json = { { "index", index }, { "type", CGAL::IO::internal::name_of(curve.type) }, { "closed", curve.is_closed() },
-                { "source", index_or_null(curve.source) }, { "target", index_or_null(curve.target) },
+  Json json = { { "index", index }, { "type", CGAL::IO::internal::name_of(curve.type) },
+                { "closed", curve.is_closed() }, { "source", index_or_null(curve.source) }, { "target", index_or_null(curve.target) },
                 { "length", CGAL::to_double(curve.spline.length()) }, { "rms", curve.root_mean_square },
                 { "max", curve.maximum_deviation }, { "support", curve.support }, { "first", first },
                 { "count", count } };

@@ -1,5 +1,5 @@
-// The picture in which the tool extract_wireframe shows the cloud and the wireframe, --png. It is compiled apart from the
-// rest.
+// The picture in which the tool extract_wireframe shows the cloud and the wireframe, --png. It is compiled apart from
+// the rest.
 
 #ifndef EXTRACT_WIREFRAME_PICTURE_H
 #define EXTRACT_WIREFRAME_PICTURE_H

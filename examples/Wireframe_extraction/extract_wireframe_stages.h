@@ -95,8 +95,8 @@ struct Recorded_stage
   Coloured_geometry geometry;
 };
 
-// Records stage after stage, in files if there is a folder for them, and in memory if that is wanted. Remembers the first
-// thing that went wrong, and the files that were written.
+// Records stage after stage, in files if there is a folder for them, and in memory if that is wanted. Remembers the
+// first thing that went wrong, and the files that were written.
 class Stage_recorder
 {
 public:

@@ -109,7 +109,8 @@ class Browser:
 
     def frames(self, count=2):
         """Waits until the page has drawn."""
-        self.evaluate("(async () => { for (let i = 0; i < %d; ++i) await new Promise(requestAnimationFrame); })()" % count)
+        self.evaluate("(async () => { for (let i = 0; i < %d; ++i) await new Promise(requestAnimationFrame); })()"
+                      % count)
 
     def mouse(self, kind, x, y, **more):
         self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **more)

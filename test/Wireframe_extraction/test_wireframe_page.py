@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests the page of extract_wireframe --html without a browser: what is in it, and what is said if it cannot be written.
+"""Tests the page of extract_wireframe --html without a browser: what is in it, and what is said if there is none.
 
 usage: test_wireframe_page.py EXTRACT_WIREFRAME MAKE_CLOUD [options of unittest]
 """
@@ -78,7 +78,8 @@ class Content_test(Page_test):
     def test_agrees_with_json(self):
         self.make_cloud(NAME, "slotted_plate", "--points", 8000, "--field", "exact", "--scale", 100)
         page, data, wireframe = self.page_of(NAME, "--unit", "cm", "--maximum-gap", 17)
-        self.assertEqual((data["format"], data["version"], data["unit"], data["title"]), ("wireframe page", 1, "cm", NAME))
+        self.assertEqual((data["format"], data["version"]), ("wireframe page", 1))
+        self.assertEqual((data["unit"], data["title"]), ("cm", NAME))
         self.assertEqual(data["number_of_points"], 8000)
         self.check_curves(data, wireframe)
         self.check_cloud(data, NAME)
@@ -156,13 +157,14 @@ class Content_test(Page_test):
             self.assertTrue(all(index < len(positions) for index in edges))
             # numbers that are not finite would fail here, too; single points may lie beside the cloud
             self.assertTrue(all(abs(x) < 0.7 for point in positions for x in point), layer["name"])
-        self.assertEqual(layers["stage-skeleton"]["count"], len(numbers(layers["stage-skeleton"]["positions"], "f")) // 3)
+        skeleton = layers["stage-skeleton"]
+        self.assertEqual(skeleton["count"], len(numbers(skeleton["positions"], "f")) // 3)
         self.assertGreater(len(numbers(layers["stage-graph"]["edges"], "I")), 0)
 
     def check_run(self, data):
         parameters = {parameter["name"]: parameter for parameter in data["parameters"]}
-        self.assertEqual((parameters["--maximum-gap"]["value"], parameters["--maximum-gap"]["is_given"]), ("17", True))
-        self.assertEqual((parameters["--corner-reach"]["value"], parameters["--corner-reach"]["is_given"]), ("5", False))
+        for name, value, is_given in (("--maximum-gap", "17", True), ("--corner-reach", "5", False)):
+            self.assertEqual((parameters[name]["value"], parameters[name]["is_given"]), (value, is_given))
         self.assertEqual(parameters["--noise-level"]["value"], "from the cloud")
         self.assertEqual(parameters["--corner-measure"]["value"], "field-residual")
         seconds = dict(data["seconds"])
@@ -222,7 +224,8 @@ class Content_test(Page_test):
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["box.ply", "folder.html"])
 
     def test_nothing_is_written_on_failure(self):
-        (self.folder / "smooth.xyz").write_text("".join(f"{x} {y} {x * y / 50} {9 + x}\n" for x in range(20) for y in range(20)))
+        rows = [f"{x} {y} {x * y / 50} {9 + x}\n" for x in range(20) for y in range(20)]
+        (self.folder / "smooth.xyz").write_text("".join(rows))
         (self.folder / "page.html").write_text("old")
         self.run_tool("smooth.xyz", "--html", "page.html", code=NO_FEATURE)
         self.assertEqual((self.folder / "page.html").read_text(), "old")

@@ -21,6 +21,7 @@ TIME_LIMIT = 280
 WITH_PNG = os.environ.get("EXTRACT_WIREFRAME_WITH_PNG") == "1"
 SUCCESS, USAGE_ERROR = 0, 2
 COLOURS = {"line": (64, 64, 64), "arc": (255, 127, 14), "circle": (214, 39, 40)}
+VERTEX = (18, 20, 26)
 MARGIN = 40
 
 A, B = math.sqrt(1 / 2), math.sqrt(1 / 6)
@@ -96,8 +97,9 @@ class Picture_test(unittest.TestCase):
 
     def run_tool(self, *arguments, code=SUCCESS):
         environment = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
-        done = subprocess.run([str(TOOL), *map(str, arguments)], cwd=self.folder, env=environment, stdout=subprocess.PIPE,
-                              stderr=subprocess.PIPE, universal_newlines=True, timeout=TIME_LIMIT)
+        done = subprocess.run([str(TOOL), *map(str, arguments)], cwd=self.folder, env=environment,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True,
+                              timeout=TIME_LIMIT)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done.stdout if code == SUCCESS else done.stderr
 
@@ -130,17 +132,20 @@ class Picture_test(unittest.TestCase):
                 types.add(curve["type"])
                 for point in points_of(curve):
                     x, y = to_pixel(point)
-                    near = [pixels[j][i] for i in (int(x) - 1, int(x), int(x) + 1) for j in (int(y) - 1, int(y), int(y) + 1)]
-                    hits += any(self.is_like(pixel, COLOURS[curve["type"]]) for pixel in near)
+                    x, y = int(x), int(y)
+                    near = [pixels[j][i] for i in (x - 1, x, x + 1) for j in (y - 1, y, y + 1)]
+                    # along an axis, arcs and lines are before each other, and lines are behind their vertices
+                    colours = [COLOURS[curve["type"]]] if view == "isometric" else [*COLOURS.values(), VERTEX]
+                    hits += any(self.is_like(pixel, colour) for pixel in near for colour in colours)
                     count += 1
             self.assertEqual(types, {"line", "arc"})
-            # where curves are before each other, only one of them is seen
-            self.assertGreater(hits / count, 0.95 if view == "isometric" else 0.5, view)
+            # a vertex, or the border of a curve that is before it, may hide a point
+            self.assertGreater(hits / count, 0.9, view)
             background = pixels[0][0]
-            self.assertTrue(all(self.is_like(row[x], background) for row in pixels for x in (0, 5, width - 6, width - 1)))
-            cloud = sum(not self.is_like(pixel, other) for row in pixels[::7] for pixel in row[::7]
-                        for other in [background]) / (len(pixels[::7]) * len(pixels[0][::7]))
-            self.assertGreater(cloud, 0.05)
+            for row in pixels:
+                self.assertTrue(all(self.is_like(row[x], background) for x in (0, 5, width - 6, width - 1)))
+            some = [pixel for row in pixels[::7] for pixel in row[::7]]
+            self.assertGreater(sum(not self.is_like(pixel, background) for pixel in some), 0.05 * len(some))
 
     @staticmethod
     def is_like(pixel, other):

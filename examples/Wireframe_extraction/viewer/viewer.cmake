@@ -1,6 +1,6 @@
-# Gives the target extract_wireframe_viewer, the page of extract_wireframe --html. It is made of the files in this folder
-# and of three.js, which npm fetches when the build is configured; esbuild puts them together. Without npm, or where it
-# fetches nothing, there is no such target, a message that says why, and no error.
+# Gives the target extract_wireframe_viewer, the page of extract_wireframe --html. It is made of the files in this
+# folder and of three.js, which npm fetches when the build is configured; esbuild puts them together. Without npm, or
+# where it fetches nothing, there is no such target, a message that says why, and no error.
 
 option(WIREFRAME_EXTRACTION_BUILD_VIEWER "Build the page of extract_wireframe --html, which needs npm" ON)
 set(WIREFRAME_EXTRACTION_NODE_MODULES "" CACHE PATH
@@ -62,7 +62,8 @@ else()
   set(viewer_script "${viewer_work_folder}/viewer.js")
   set(viewer_source "${viewer_work_folder}/page_template.cpp")
   file(GLOB viewer_sources CONFIGURE_DEPENDS
-    "${viewer_folder}/*.js" "${viewer_folder}/page.*" "${viewer_folder}/make_page.cmake" "${viewer_folder}/package*.json")
+    "${viewer_folder}/*.js" "${viewer_folder}/page.*" "${viewer_folder}/make_page.cmake"
+    "${viewer_folder}/package*.json")
   add_custom_command(OUTPUT "${viewer_source}"
     # the modules are not beside the sources
     COMMAND "${CMAKE_COMMAND}" -E env "NODE_PATH=${viewer_modules}" "${NODE_PROGRAM}"
