@@ -62,13 +62,10 @@ else()
   set(viewer_script "${viewer_work_folder}/viewer.js")
   set(viewer_source "${viewer_work_folder}/page_template.cpp")
   file(GLOB viewer_sources CONFIGURE_DEPENDS
-    "${viewer_folder}/*.js" "${viewer_folder}/page.*" "${viewer_folder}/make_page.cmake"
+    "${viewer_folder}/*.js" "${viewer_folder}/*.mjs" "${viewer_folder}/page.*" "${viewer_folder}/make_page.cmake"
     "${viewer_folder}/package*.json")
   add_custom_command(OUTPUT "${viewer_source}"
-    # the modules are not beside the sources
-    COMMAND "${CMAKE_COMMAND}" -E env "NODE_PATH=${viewer_modules}" "${NODE_PROGRAM}"
-      "${viewer_modules}/esbuild/bin/esbuild" "${viewer_folder}/main.js" --bundle --minify --format=iife
-      --legal-comments=eof --log-level=warning "--outfile=${viewer_script}"
+    COMMAND "${NODE_PROGRAM}" "${viewer_folder}/bundle.mjs" "${viewer_modules}" "${viewer_script}"
     COMMAND "${CMAKE_COMMAND}" "-Dscript=${viewer_script}" "-Dfolder=${viewer_folder}" "-Doutput=${viewer_source}"
       -P "${viewer_folder}/make_page.cmake"
     DEPENDS ${viewer_sources}
