@@ -5,6 +5,8 @@
 #include "extract_wireframe_input.h"
 #include "extract_wireframe_options.h"
 #include "extract_wireframe_outputs.h"
+#include "extract_wireframe_page.h"
+#include "extract_wireframe_picture.h"
 #include "extract_wireframe_stages.h"
 #include "extract_wireframe_summary.h"
 
@@ -31,6 +33,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -95,11 +98,11 @@ private:
   std::atomic<int> m_percent{0};
 };
 
-// shows which stage is at work, and writes what the stages made
+// shows which stage is at work, and records what the stages made
 class Visitor : public CGAL::Wireframe_extraction::Default_visitor
 {
 public:
-  Visitor(Progress& progress, Stage_writer& stages) : m_progress(progress), m_stages(stages) {}
+  Visitor(Progress& progress, Stage_recorder& stages) : m_progress(progress), m_stages(stages) {}
 
   template <class FT>
   void sampling_distance_estimated(const FT&) { m_progress.start("selecting the skeleton"); }
@@ -107,48 +110,48 @@ public:
   template <class Skeleton>
   void skeleton_selected(const Skeleton& skeleton)
   {
-    m_stages.write_skeleton(skeleton);
+    m_stages.record_skeleton(skeleton);
     m_progress.start("contracting the skeleton");
   }
 
   template <class Skeleton>
   void skeleton_contracted(const Skeleton& skeleton)
   {
-    m_stages.write_feet(skeleton);
+    m_stages.record_feet(skeleton);
     m_progress.start("detecting corners");
   }
 
   template <class Skeleton, class Corners>
   void corners_detected(const Skeleton& skeleton, const Corners& corners)
   {
-    m_stages.write_corners(skeleton, corners);
+    m_stages.record_corners(skeleton, corners);
     m_progress.start("segmenting curves");
   }
 
   template <class Skeleton, class Clusters>
   void curves_segmented(const Skeleton& skeleton, const Clusters& clusters)
   {
-    m_stages.write_clusters(skeleton, clusters);
+    m_stages.record_clusters(skeleton, clusters);
     m_progress.start("building the graph");
   }
 
   template <class Graph>
   void graph_built(const Graph& graph)
   {
-    m_stages.write_graph(graph);
+    m_stages.record_graph(graph);
     m_progress.start("fitting curves");
   }
 
   template <class Result>
   void curves_fitted(const Result& wireframe)
   {
-    m_stages.write_curves(wireframe);
+    m_stages.record_curves(wireframe);
     m_progress.start("recognizing curve types");
   }
 
 private:
   Progress& m_progress;
-  Stage_writer& m_stages;
+  Stage_recorder& m_stages;
 };
 
 class Tool
@@ -171,12 +174,13 @@ public:
     if(m_options.has_stages)
       m_folder.remove_old_files();
     progress.start("estimating the sampling distance");
-    Stage_writer stages(m_folder);
+    Stage_recorder stages(m_folder, m_options.has_html);
     const Wireframe wireframe = extract(cloud, progress, stages);
     throw_if(stages.error(), INTERNAL_ERROR);
     throw_if_failed(wireframe);
     const auto begin = Clock::now();
-    m_outputs.write(wireframe);
+    m_seconds.insert(m_seconds.end(), m_report.seconds.begin(), m_report.seconds.end());
+    m_outputs.write(wireframe, pictures(cloud, stages, wireframe));
     m_seconds.emplace_back("writing", seconds_since(begin));
     progress.clear();
     m_number_of_curves = wireframe.curves.size();
@@ -251,7 +255,7 @@ private:
   }
 
   // All parameters are given each time, so that the library is compiled for one pack of them.
-  Wireframe extract(const Cloud& cloud, Progress& progress, Stage_writer& stages)
+  Wireframe extract(const Cloud& cloud, Progress& progress, Stage_recorder& stages)
   {
     const Extraction_options& options = m_options.extraction;
     Visitor visitor(progress, stages);
@@ -312,17 +316,64 @@ private:
                                       : "; --stages DIR shows what the stages found"));
   }
 
-  void summarize(const Wireframe& wireframe, const Stage_writer& stages)
+  Summary summary(const Wireframe& wireframe) const
   {
-    m_seconds.insert(m_seconds.end() - 1, m_report.seconds.begin(), m_report.seconds.end());
-    std::vector<std::string> files = m_options.outputs;
-    files.insert(files.end(), stages.written_files().begin(), stages.written_files().end());
-    print_summary(std::cout, m_options, wireframe, m_report,
-                  m_number_of_skipped + m_report.number_of_skipped_points, m_seconds, files);
+    return summary_of(m_options, wireframe, m_report, m_number_of_skipped + m_report.number_of_skipped_points);
+  }
+
+  // notes on how the input was taken, and what looks odd
+  std::vector<std::string> remarks() const
+  {
+    std::vector<std::string> texts;
     for(const std::string& note : m_notes)
-      std::cout << "Note: " << note << '\n';
+      texts.push_back("Note: " + note);
     for(const std::string& warning : m_report.warnings)
-      std::cout << "Warning: " << m_command_line.with_option_names(warning) << '\n';
+      texts.push_back("Warning: " + m_command_line.with_option_names(warning));
+    return texts;
+  }
+
+  std::vector<Picture> pictures(const Cloud& cloud, const Stage_recorder& stages, const Wireframe& wireframe) const
+  {
+    std::vector<Picture> result;
+    if(m_options.has_html)
+      result.push_back({ m_options.html, [this, &cloud, &stages, &wireframe](std::ostream& stream, std::string& error)
+      {
+        return write_page(stream, page_texts(wireframe), cloud, stages.stages(), wireframe, error);
+      } });
+    if(m_options.has_png)
+      result.push_back({ m_options.png, [this, &cloud, &wireframe](std::ostream& stream, std::string& error)
+      {
+        return write_picture(stream, m_options.view, cloud, wireframe, error);
+      } });
+    return result;
+  }
+
+  Page_texts page_texts(const Wireframe& wireframe) const
+  {
+    Page_texts texts;
+    const std::vector<std::string>& files = m_options.input.files;
+    texts.title = std::filesystem::path(files.front()).filename().string()
+                  + (files.size() > 1 ? " and " + std::to_string(files.size() - 1) + " more" : "");
+    texts.unit = CGAL::IO::internal::symbol_of(m_options.unit);
+    texts.program = "extract_wireframe " WIREFRAME_EXTRACTION_VERSION_STRING;
+    texts.summary = summary(wireframe);
+    texts.seconds = m_seconds;
+    texts.warnings = remarks();
+    texts.parameters = m_command_line.parameters();
+    return texts;
+  }
+
+  void summarize(const Wireframe& wireframe, const Stage_recorder& stages) const
+  {
+    std::vector<std::string> files = m_options.outputs;
+    if(m_options.has_html)
+      files.push_back(m_options.html);
+    if(m_options.has_png)
+      files.push_back(m_options.png);
+    files.insert(files.end(), stages.written_files().begin(), stages.written_files().end());
+    print_summary(std::cout, summary(wireframe), m_seconds, files);
+    for(const std::string& remark : remarks())
+      std::cout << remark << '\n';
   }
 
   const Command_line& m_command_line;

@@ -6,6 +6,8 @@
 #include "extract_wireframe_batch.h"
 #include "extract_wireframe_error.h"
 #include "extract_wireframe_input.h"
+#include "extract_wireframe_page.h"
+#include "extract_wireframe_picture.h"
 
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
@@ -37,7 +39,9 @@ struct Options
   Input input;
   std::string stages_folder;
   std::vector<std::string> outputs;
-  bool has_stages = false, has_batch = false, is_paper = false, is_quiet = false;
+  std::string html, png;
+  View view = View::ISOMETRIC;   // of the picture
+  bool has_stages = false, has_batch = false, has_html = false, has_png = false, is_paper = false, is_quiet = false;
   int number_of_threads = 0;      // 0: as many as there are
   double sampling_distance = 0.;  // 0: to be estimated
   Length_unit unit = Length_unit::MILLIMETER;
@@ -137,6 +141,19 @@ public:
       throw CLI::ExtrasError("extract_wireframe",
                              {m_options.input.files[1] + " (several clouds are read as --patches of one)"});
     m_options.has_stages = m_app.count("--stages") > 0;
+    m_options.has_html = m_app.count("--html") > 0;
+    m_options.has_png = m_app.count("--png") > 0;
+  }
+
+  // what the options are in this run, the files left out
+  std::vector<Parameter> parameters() const
+  {
+    std::vector<Parameter> result;
+    for(const auto& parameter : m_parameters)
+      if(parameter.first->get_group() != "Files")
+        result.push_back({ parameter.first->get_group(), parameter.first->get_name(), parameter.second(),
+                           parameter.first->count() > 0 });
+    return result;
   }
 
   int show_help_or_version(const CLI::ParseError& request) const { return m_app.exit(request); }
@@ -164,6 +181,16 @@ private:
                      "(all of it), .step .stp .iges .igs .brep .dxf (its curves), .obj .ply .vtp .gltf .glb "
                      ".polylines.txt .txt .cgal (sampled curves), .svg (a drawing), or .csv (a table)")
       ->take_all()->allow_extra_args(false)->type_name("OUT")->group(group);
+    m_app.add_option("--html", m_options.html,
+                     "Write a page that shows the cloud, the stages and the curves in a browser, in one file that "
+                     "needs nothing else")
+      ->type_name("OUT.html")->group(group);
+    m_app.add_option("--png", m_options.png,
+                     "Write a picture of the cloud, the curves and the vertices; it takes no display")
+      ->type_name("OUT.png")->group(group);
+    add_choice("--view", m_options.view,
+               {{"isometric", View::ISOMETRIC}, {"front", View::FRONT}, {"right", View::RIGHT}, {"top", View::TOP}},
+               "From where the picture of --png is taken, as in .svg", group);
     add_choice("--unit", m_options.unit,
                {{"um", Length_unit::MICROMETER}, {"mm", Length_unit::MILLIMETER},
                 {"cm", Length_unit::CENTIMETER}, {"m", Length_unit::METER},
@@ -261,14 +288,15 @@ private:
 
   void check_files_are_given() const
   {
-    for(const char* const name : { "CLOUD", "--output" })
-      if(m_app.count(name) == 0)
-        throw CLI::RequiredError(name);
+    if(m_app.count("CLOUD") == 0)
+      throw CLI::RequiredError("CLOUD");
+    if(m_app.count("--output") == 0 && m_app.count("--html") == 0 && m_app.count("--png") == 0)
+      throw CLI::RequiredError("--output (or --html, or --png)");
   }
 
   void complete_batch()
   {
-    for(const char* const name : { "CLOUD", "--output", "--stages", "--distances" })
+    for(const char* const name : { "CLOUD", "--output", "--html", "--png", "--stages", "--distances" })
       if(m_app.count(name) > 0)
         throw CLI::ExcludesError("--batch", name);
     if(m_options.batch.output_folder.empty())
@@ -426,10 +454,11 @@ private:
       ->group(group);
     add_number("--type-significance", extraction.type_significance, 0., 1., false,
                "Share of true lines, circles and ellipses that may be taken for splines", group);
-    m_app.add_flag("--regularize", extraction.regularize,
+    const bool& regularize = extraction.regularize;
+    add_parameter(m_app.add_flag("--regularize", extraction.regularize,
                    "Make radii equal, circles coaxial, and directions parallel or orthogonal, where the field agrees; "
                    "what was changed is printed")
-      ->group(group);
+      ->group(group), [&regularize] { return std::string(regularize ? "true" : "false"); });
   }
 
   CLI::Option* add_number(const std::string& name, double& value, double least, double most, bool is_least_allowed,
@@ -449,6 +478,10 @@ private:
       ->check(CLI::Validator(check, ""))->type_name("NUMBER")->group(group);
     if(has_default)
       option->default_str(to_text(value));
+    add_parameter(option, [&value, has_default, option]
+    {
+      return has_default || option->count() > 0 ? to_text(value) : std::string("from the cloud");
+    });
     return option;
   }
 
@@ -464,8 +497,10 @@ private:
       return "\"" + text + "\" is not a whole number from " + std::to_string(least) + " to "
              + std::to_string(most);
     };
-    return m_app.add_option(name, value, description)
+    CLI::Option* const option = m_app.add_option(name, value, description)
       ->check(CLI::Validator(check, ""))->type_name("NUMBER")->group(group);
+    add_parameter(option, [&value] { return value > 0 ? std::to_string(value) : std::string("as many as there are"); });
+    return option;
   }
 
   void add_boolean(const std::string& name, bool& value, const std::string& description,
@@ -502,8 +537,21 @@ private:
           return std::string();
       return "\"" + text + "\" is not one of " + names_text;
     };
-    m_app.add_option_function<std::string>(name, set, description)
+    CLI::Option* const option = m_app.add_option_function<std::string>(name, set, description)
       ->check(CLI::Validator(check, ""))->type_name(names_text)->default_str(name_of_default)->group(group);
+    add_parameter(option, [&value, known]
+    {
+      for(const auto& choice : known)
+        if(choice.second == value)
+          return choice.first;
+      return std::string();
+    });
+  }
+
+  // the function gives the value that the option has then
+  void add_parameter(const CLI::Option* option, const std::function<std::string()>& value)
+  {
+    m_parameters.emplace_back(option, value);
   }
 
   static std::string to_text(double value)
@@ -544,6 +592,7 @@ private:
 
   Options& m_options;
   CLI::App m_app;
+  std::vector<std::pair<const CLI::Option*, std::function<std::string()> > > m_parameters;
 };
 
 } // namespace tool

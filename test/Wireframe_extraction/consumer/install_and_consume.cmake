@@ -43,6 +43,7 @@ run_or_fail("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}" -B "${consumer_fol
   "-Dexpects_hdf5=${expects_hdf5}"
   "-DCMAKE_DISABLE_FIND_PACKAGE_ZLIB=${has_no_zlib}"
   "-Dexpects_zlib=${expects_zlib}"
+  "-Dexpects_qt=${expects_qt}"
   "-Dexpected_version=${version}")
 run_or_fail("${CMAKE_COMMAND}" --build "${consumer_folder}" ${configuration_arguments})
 

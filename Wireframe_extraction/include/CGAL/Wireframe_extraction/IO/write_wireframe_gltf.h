@@ -36,22 +36,6 @@ namespace CGAL {
 namespace IO {
 namespace internal {
 
-inline std::string to_base64(const std::string& bytes)
-{
-  const char* const digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve(bytes.size() / 3 * 4 + 4);
-  for(std::size_t i = 0; i < bytes.size(); i += 3)
-  {
-    std::uint32_t bits = 0;
-    for(std::size_t j = 0; j < 3; ++j)
-      bits = (bits << 8) | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0u);
-    for(std::size_t j = 0; j < 4; ++j)
-      text += (i + j > bytes.size()) ? '=' : digits[(bits >> (18 - 6 * j)) & 63u];
-  }
-  return text;
-}
-
 // The scene of a glTF file: a node per curve, below one that has the place and the unit.
 class Gltf_scene
 {
