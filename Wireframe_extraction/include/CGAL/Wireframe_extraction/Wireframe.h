@@ -33,8 +33,10 @@ enum class Wireframe_curve_type
   ELLIPTIC_ARC  ///< an arc of an ellipse
 };
 
-/// returns whether curves of this kind have a `Wireframe_curve::conic`.
 /// \ingroup PkgWireframeExtractionClasses
+/// returns whether curves of this kind have a `Wireframe_curve::conic`. Constant time.
+///
+/// \param type the kind
 inline bool is_conic(Wireframe_curve_type type)
 {
   return type != Wireframe_curve_type::BSPLINE && type != Wireframe_curve_type::LINE;

@@ -51,12 +51,12 @@ enum class Patch_fusion
 /// What one unit of the coordinates is, for formats that say so. Coordinates are never converted.
 enum class Length_unit
 {
-  MICROMETER,
-  MILLIMETER,
-  CENTIMETER,
-  METER,
-  INCH,
-  FOOT
+  MICROMETER,  ///< 0.001 mm
+  MILLIMETER,  ///< 1 mm
+  CENTIMETER,  ///< 10 mm
+  METER,       ///< 1000 mm
+  INCH,        ///< 25.4 mm
+  FOOT         ///< 304.8 mm
 };
 
 /// \ingroup PkgWireframeExtractionParameters
