@@ -12,7 +12,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCRIPTS = ROOT / "benchmark/Wireframe_extraction"
-SWEEP_SOLIDS = ("box_with_hole", "crossing_cylinders", "flange", "l_bracket", "nut", "slotted_plate")
+SWEEP_SOLIDS = ("crossing_cylinders", "flange", "inscribed_boss", "slotted_plate")
 LIMITS = (("rounded_plate", "exact"), ("inscribed_boss", "def"), ("faceted_disc", "def"), ("thin_plate", "noisy"))
 
 
@@ -55,7 +55,7 @@ class Figures:
 
     def sweep(self):
         for solid in SWEEP_SOLIDS:
-            self.case(solid, 10000, "sweep")
+            self.case(solid, 8000, "sweep")
         self.run("plot_sweep.py", self.work / "sweep", "--benchmark", self.programs / "run_benchmark", "--tool",
                  self.programs / "extract_wireframe", "--csv", self.work / "sweep.csv", "-o", self.output / "sweep.png")
 

@@ -23,6 +23,11 @@ HEADERS = pathlib.Path("Wireframe_extraction/include/CGAL")
 PAGES = pathlib.Path("doc/Wireframe_extraction")
 OPTIONS = HEADERS / "Wireframe_extraction/internal/Extraction_options.h"
 PARAMETER_LIST = HEADERS / "Wireframe_extraction/internal/parameters_interface.h"
+# where the stages read their parameters, besides their own headers
+STAGES = {"select_skeleton.h": (), "contract_skeleton.h": (), "refine_field.h": (), "detect_corners.h": (),
+          "segment_curves.h": (), "recognize_curve_types.h": (), "fit_curves.h": ("Spline_network_fit.h",),
+          "build_topological_graph.h": ("subdivide_network.h", "trace_network.h", "Spline_network_fit.h")}
+NOT_FOR_USERS = {("build_topological_graph.h", "number_of_rounds")}  # always 2 there
 CGAL_PARAMETERS = {"point_map", "geom_traits", "callback", "use_binary_mode", "verbose"}
 
 
@@ -160,6 +165,14 @@ def wrong_parameters(root):
             yield f"{header}: {name} has no default"
         elif name in coded and not is_same_default(coded[name], default):
             yield f"{header}: the default of {name} is {coded[name]}, not {default}"
+    for header, helpers in STAGES.items():
+        folder = root / HEADERS / "Wireframe_extraction"
+        read = "".join(path.read_text(encoding="utf-8")
+                       for path in (folder / header, *(folder / "internal" / helper for helper in helpers)))
+        of_header = {name for path, name, _ in documented_defaults(root) if path == header}
+        for name in sorted(set(re.findall(r"\boptions\.(\w+)", read.replace("m_options", "options"))) & set(coded) - of_header):
+            if (header, name) not in NOT_FOR_USERS:
+                yield f"{header}: {name} is read, but not described"
     for name in sorted(known - described):
         yield f"the named parameter {name} is described nowhere"
     for name, default in readme_defaults(root):
@@ -257,12 +270,16 @@ class Manual_test(unittest.TestCase):
         self.replace(root, OPTIONS, "corner_radius = 4.", "corner_radius = 4.5")
         self.replace(root, OPTIONS, "use_tangents = true", "use_tangents = false")
         self.replace(root, OPTIONS, "End_detection::GRAPH_DISTANCE", "End_detection::MAIN_AXIS")
+        self.replace(root, HEADERS / "Wireframe_extraction/segment_curves.h", "cgalParamNBegin{connection_angle}",
+                     "cgalParamNBegin{smooth_angle}")
         self.replace(root, PARAMETER_LIST, "(visitor_t, visitor, visitor)", "(spectator_t, spectator, spectator)")
         found = "\n".join(wrong_parameters(root))
         for expected in ("detect_corners.h: the default of corner_radius is 4.5, not 4",
                          "segment_curves.h: the default of use_tangents is false, not `true`",
                          "the default of end_detection is End_detection::MAIN_AXIS",
                          "extract_wireframe.h: there is no named parameter visitor",
+                         "segment_curves.h: connection_angle is read, but not described",
+                         "segment_curves.h: the default of smooth_angle is 20., not 30",
                          "the named parameter spectator is described nowhere",
                          "README.md: the default of corner_radius is 4.5, not 4"):
             self.assertIn(expected, found)

@@ -65,7 +65,7 @@ using namespace CGAL::parameters;
 #endif
 
 /// \ingroup PkgWireframeExtractionParameters
-/// returns the parameters that give the published method (Matveev et al. 2021, with the connection radius of 3 r of the
+/// returns the parameters that give the published method (\cgalCite{MAZB21}, with the connection radius of 3 r of the
 /// code the authors published), to compare with. Further parameters can be appended.
 inline auto paper_defaults()
 {
