@@ -15,7 +15,9 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_ARCHIVE_COMPONENT_INSTALL ON)
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_SOURCE_GENERATOR TGZ)
-set(CPACK_SOURCE_IGNORE_FILES "/\\.git(/|$)" "/build[^/]*/" "/__pycache__/" "~$")
+string(REGEX REPLACE "([^a-zA-Z0-9_/ -])" "\\\\\\1" source_pattern "${PROJECT_SOURCE_DIR}")
+set(CPACK_SOURCE_IGNORE_FILES
+  "^${source_pattern}/\\.git(/|$)" "^${source_pattern}/build[^/]*/" "^${source_pattern}/.*/__pycache__/" "~$")
 
 set(CPACK_COMPONENTS_ALL Development)
 if(TARGET extract_wireframe)
@@ -27,7 +29,6 @@ endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION math)
-set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libwireframe-extraction-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)

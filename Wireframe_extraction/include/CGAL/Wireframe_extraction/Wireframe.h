@@ -49,6 +49,7 @@ inline bool is_conic(Wireframe_curve_type type)
 template <class GeomTraits>
 struct Wireframe_curve_uncertainty
 {
+  typedef GeomTraits Geom_traits;       ///< the traits class
   typedef typename GeomTraits::FT FT;   ///< the number type
 
   FT position = FT(0);       ///< of the center, or of the middle of a line, in the cloud's unit

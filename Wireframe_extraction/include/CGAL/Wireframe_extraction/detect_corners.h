@@ -37,6 +37,8 @@ namespace CGAL {
 template <class GeomTraits>
 struct Wireframe_corner
 {
+  typedef GeomTraits Geom_traits;        ///< the traits class
+
   typename GeomTraits::Point_3 center;   ///< where the corner is
   typename GeomTraits::FT radius;        ///< how far from the center the corner's points lie, in the cloud's unit
   std::vector<std::size_t> members;      ///< the points of the skeleton that belong to it, in ascending order

@@ -160,7 +160,7 @@ bool read_distance_cloud_of_files(const std::string& filename, const std::string
 /// comes from strangers is better read as `.npz`.
 ///
 /// Decimals are written with a point whatever the locale. Coordinates and distances have to be finite and the
-/// distances not negative, else the file is refused, or the points left out with `skip_invalid()`.
+/// distances not negative, else the file is refused, or the points left out with `skip_invalid`.
 ///
 /// \tparam Point a type constructible from three `double` coordinates
 /// \tparam FT a number type constructible from `double`
