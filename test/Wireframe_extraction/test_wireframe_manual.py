@@ -135,6 +135,14 @@ def documented_defaults(root):
             yield path.name, name, " ".join(default.group(1).split()) if default else ""
 
 
+def literal_defaults(root):
+    """Yields header, parameter and default where a public header itself chooses a value that can be read from its text."""
+    for path in public_headers(root):
+        source = path.read_text(encoding="utf-8")
+        for name, default in re.findall(r"\w*np\w*::(\w+)\)\s*,\s*(true|false|\w+::[A-Z]\w*)\)", source):
+            yield path.name, name, default
+
+
 def readme_defaults(root):
     for line in (root / "README.md").read_text(encoding="utf-8").splitlines():
         row = re.match(r"\| `(\w+)` \| ([^|]+) \|", line)
@@ -165,6 +173,10 @@ def wrong_parameters(root):
             yield f"{header}: {name} has no default"
         elif name in coded and not is_same_default(coded[name], default):
             yield f"{header}: the default of {name} is {coded[name]}, not {default}"
+    for header, name, default in literal_defaults(root):
+        for documented in {text for path, other, text in documented_defaults(root) if (path, other) == (header, name)}:
+            if not is_same_default(default.split("::")[-1], documented.replace("`", "").split("::")[-1]):
+                yield f"{header}: the default of {name} is {default}, not {documented}"
     for header, helpers in STAGES.items():
         folder = root / HEADERS / "Wireframe_extraction"
         read = "".join(path.read_text(encoding="utf-8")
@@ -264,6 +276,8 @@ class Manual_test(unittest.TestCase):
         self.assertEqual(coded_defaults(ROOT)["skeleton_distance"], "1.5")
         self.assertGreater(len(list(documented_defaults(ROOT))), 40)
         self.assertGreater(len(list(readme_defaults(ROOT))), 20)
+        self.assertLessEqual({"skip_invalid", "unit", "step_schema", "use_binary_mode", "patch_fusion"},
+                             {name for _, name, _ in literal_defaults(ROOT)})
 
     def test_another_default_is_found(self):
         root = self.copy_of_tree()
@@ -272,6 +286,7 @@ class Manual_test(unittest.TestCase):
         self.replace(root, OPTIONS, "End_detection::GRAPH_DISTANCE", "End_detection::MAIN_AXIS")
         self.replace(root, HEADERS / "Wireframe_extraction/segment_curves.h", "cgalParamNBegin{connection_angle}",
                      "cgalParamNBegin{smooth_angle}")
+        self.replace(root, HEADERS / "Wireframe_extraction/IO/write_wireframe_step.h", "Schema::AP214);", "Schema::AP242);")
         self.replace(root, PARAMETER_LIST, "(visitor_t, visitor, visitor)", "(spectator_t, spectator, spectator)")
         found = "\n".join(wrong_parameters(root))
         for expected in ("detect_corners.h: the default of corner_radius is 4.5, not 4",
@@ -280,6 +295,7 @@ class Manual_test(unittest.TestCase):
                          "extract_wireframe.h: there is no named parameter visitor",
                          "segment_curves.h: connection_angle is read, but not described",
                          "segment_curves.h: the default of smooth_angle is 20., not 30",
+                         "write_wireframe_step.h: the default of step_schema is Schema::AP242, not `Step_schema::AP214`",
                          "the named parameter spectator is described nowhere",
                          "README.md: the default of corner_radius is 4.5, not 4"):
             self.assertIn(expected, found)
