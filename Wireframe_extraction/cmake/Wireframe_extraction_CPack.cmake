@@ -1,5 +1,5 @@
-# What `cpack` packs: of the components, Development and, if the tool is built, Runtime. `cpack -G DEB` makes a Debian package
-# of each of them, `cpack -G TGZ` archives of the same.
+# What `cpack` packs: of the components, Development and, if the tool is built, Runtime. `cpack -G DEB` makes a Debian
+# package of each of them, `cpack -G TGZ` archives of the same.
 
 set(CPACK_PACKAGE_NAME wireframe-extraction)
 set(CPACK_PACKAGE_VENDOR "The Wireframe_extraction authors")

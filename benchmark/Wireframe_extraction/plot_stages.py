@@ -20,7 +20,7 @@ TYPE_COLORS = {"line": "tab:blue", "circle": "tab:red", "arc": "tab:orange", "el
 
 
 def read_stage(name):
-    """Returns the vertices and edges of a PLY file of a stage as arrays with named columns; there may be no edges."""
+    """Returns the vertices and edges of a PLY file of a stage, as arrays with named columns. There may be no edges."""
     elements = []
     with open(name, "rb") as stream:
         for line in iter(stream.readline, b""):
@@ -49,7 +49,7 @@ class Stage_figure:
     def __init__(self, rows, cloud, center, reach, r):
         self.rows, self.r = rows, r
         self.figure = plt.figure(figsize=(7.6, 3.1), dpi=80, facecolor="white")
-        self.panels = [self.figure.add_axes([0.005, 0.02, 0.485, 0.96]), self.figure.add_axes([0.505, 0.02, 0.485, 0.96])]
+        self.panels = [self.figure.add_axes([left, 0.02, 0.485, 0.96]) for left in (0.005, 0.505)]
         seen = cloud @ rows.T
         low, high = seen[:, :2].min(axis=0) - 3 * r, seen[:, :2].max(axis=0) + 3 * r
         middle, half = (low + high) / 2, (high - low) / 2
@@ -88,7 +88,8 @@ class Stage_figure:
 
     def legend(self, colors):
         self.panels[0].legend([Line2D([], [], color=color, linewidth=2) for color in colors.values()],
-                              [name.replace("_", " ") for name in colors], loc="lower left", fontsize=7, frameon=False)
+                              [name.replace("_", " ") for name in colors],
+                              loc="lower left", fontsize=7, frameon=False)
 
     def save(self, name):
         self.figure.savefig(name, metadata={"Software": None})
@@ -108,14 +109,16 @@ def draw_stages(folder, cloud, distances, splines, typed, make, output):
     vertices, _ = read_stage(folder / "1_skeleton.ply")
     figure = make()
     figure.points(cloud[distances >= 3 * r], GREY, (0.25, 3))
-    drawn = figure.points(positions(vertices), vertices["scalar_distance"] / r, (2, 22), cmap="viridis", vmin=0, vmax=1.5)
+    drawn = figure.points(positions(vertices), vertices["scalar_distance"] / r, (2, 22),
+                          cmap="viridis", vmin=0, vmax=1.5)
     figure.bar(drawn, "distance, in r")
     figure.save(output / "stage_skeleton.png")
 
     vertices, _ = read_stage(folder / "2_feet.ply")
     figure = make()
     background(figure)
-    drawn = figure.points(positions(vertices), vertices["scalar_residual"] / r, (2, 14), cmap="plasma", vmin=0, vmax=0.6)
+    drawn = figure.points(positions(vertices), vertices["scalar_residual"] / r, (2, 14),
+                          cmap="plasma", vmin=0, vmax=0.6)
     figure.bar(drawn, "residual, in r")
     figure.save(output / "stage_contraction.png")
 
@@ -172,8 +175,8 @@ def main():
     parser.add_argument("typed", help="its wireframe with curve types, a .json file")
     parser.add_argument("-o", "--output", required=True, type=pathlib.Path,
                         help="the folder for the pictures, stage_skeleton.png and so on")
-    parser.add_argument("--vertex", type=int, help="the vertex of the typed wireframe that is enlarged; default: the one "
-                        "nearest to the viewer")
+    parser.add_argument("--vertex", type=int,
+                        help="the vertex of the typed wireframe to enlarge; default: the one nearest to the viewer")
     parser.add_argument("--reach", type=float, default=14, help="half the width of the enlarged part, in r; default 14")
     parser.add_argument("--azimuth", type=float, default=35, help="where to look from, in degrees; default 35")
     parser.add_argument("--elevation", type=float, default=30, help="how high, in degrees; default 30")

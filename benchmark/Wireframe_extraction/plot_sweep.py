@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Varies one parameter after the other, runs the benchmark for each value, and draws the scores over the values as a PNG.
+"""Varies one parameter after the other, runs the benchmark for each value, and draws the scores as a PNG.
 
 What was measured goes to a CSV file, and a value that is there already is not measured again. Needs numpy, scipy and
 matplotlib (Debian: python3-scipy python3-matplotlib).
@@ -47,8 +47,9 @@ def measure(arguments, options):
         row = {"options": options, "field": field, "cases": len(of_field),
                "failed": sum(1 for case in of_field if case["failure"])}
         for score in LABELS:
-            values = [0. if case["failure"] else float(case[score]) for case in of_field if case["failure"] or case[score]]
-            row[score] = f"{np.mean(values):.4f}"
+            values = [0. if case["failure"] else float(case[score])
+                      for case in of_field if case["failure"] or case[score]]
+            row[score] = f"{np.mean(values):.4f}" if values else ""  # no types, no score for them
         rows.append(row)
     return rows
 
@@ -81,12 +82,13 @@ def sweep(arguments):
 
 def draw(rows, output):
     columns = 3
-    figure, panels = plt.subplots((len(SWEEPS) + columns - 1) // columns, columns, figsize=(8.4, 7.2), dpi=90, squeeze=False)
+    lines = (len(SWEEPS) + columns - 1) // columns
+    figure, panels = plt.subplots(lines, columns, figsize=(8.4, 7.2), dpi=90, squeeze=False)
     for axes, (option, values, default, score, more) in zip(panels.flat, SWEEPS):
         for field, color in FIELDS.items():
             scores = [float(rows[options_of(option, value, default, more), field][score]) for value in values]
             axes.plot(values, scores, "o-", color=color, markersize=3, linewidth=1.2, label=field)
-        axes.axvline(default, color="0.6", linewidth=0.8, linestyle="dashed", zorder=0)
+        axes.axvline(default, color="0.4", linewidth=1, linestyle="dashed", zorder=1.5)
         if option == "type-significance":
             axes.set_xscale("log")
         unit = UNITS.get(option, "r")
@@ -106,7 +108,8 @@ def main():
     parser.add_argument("cases", help="a folder with cases that have the fields exact, def and noisy")
     parser.add_argument("--benchmark", required=True, help="the program run_benchmark")
     parser.add_argument("--tool", required=True, help="the program extract_wireframe")
-    parser.add_argument("--csv", required=True, type=pathlib.Path, help="the table with what was measured, read if it is there")
+    parser.add_argument("--csv", required=True, type=pathlib.Path,
+                        help="the table with what was measured, read if it is there")
     parser.add_argument("-o", "--output", required=True, help="the picture, a .png file")
     parser.add_argument("-j", "--jobs", type=int, default=1, help="number of cases that run at once; default 1")
     arguments = parser.parse_args()

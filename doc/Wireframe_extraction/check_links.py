@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks that every link, anchor and picture of a folder of HTML pages is there. Looks at nothing outside of the folder."""
+"""Checks that every link, anchor and picture of a folder of HTML pages is there, and looks at nothing outside of it."""
 
 import pathlib
 import sys

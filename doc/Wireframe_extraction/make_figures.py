@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Makes the figures of the manual anew, with the programs and scripts of the project and nothing else.
 
-The figure that FreeCAD draws is not among them; how it was made is said below it. The sweep takes about half an hour; what
-it measured stays in the work folder, and is not measured again.
+The figure that FreeCAD draws is not among them; how it was made is said below it. The sweep takes about half an hour;
+what it measured stays in the work folder, and is not measured again.
 """
 
 import argparse
@@ -40,10 +40,12 @@ class Figures:
 
     def stages(self):
         cloud = self.case("slotted_plate", 20000, "stages") / "noisy.ply"
-        splines, typed, stages = self.work / "splines.json", self.work / "typed.json", self.work / "stages_of_plate"
+        splines, typed = self.work / "splines.json", self.work / "typed.json"
+        stages = self.work / "stages_of_plate"
         self.run("extract_wireframe", cloud, "-o", splines, "--splines-only", "--quiet")
         self.run("extract_wireframe", cloud, "-o", typed, "--stages", stages, "--quiet")
-        self.run("plot_stages.py", stages, cloud, splines, typed, "-o", self.output, "--azimuth", 112, "--elevation", 44)
+        self.run("plot_stages.py", stages, cloud, splines, typed, "-o", self.output,
+                 "--azimuth", 112, "--elevation", 44)
 
     def limits(self):
         pairs = []
@@ -56,12 +58,13 @@ class Figures:
     def sweep(self):
         for solid in SWEEP_SOLIDS:
             self.case(solid, 8000, "sweep")
-        self.run("plot_sweep.py", self.work / "sweep", "--benchmark", self.programs / "run_benchmark", "--tool",
-                 self.programs / "extract_wireframe", "--csv", self.work / "sweep.csv", "-o", self.output / "sweep.png")
+        self.run("plot_sweep.py", self.work / "sweep", "--benchmark", self.programs / "run_benchmark",
+                 "--tool", self.programs / "extract_wireframe", "--csv", self.work / "sweep.csv",
+                 "-o", self.output / "sweep.png")
 
 
 def main():
-    names = [name for name, value in vars(Figures).items() if callable(value) and name not in ("__init__", "run", "case")]
+    names = ("wireframe_extraction", "stages", "limits", "sweep")
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--programs", required=True, type=pathlib.Path,
                         help="the folder with make_cloud, extract_wireframe and run_benchmark")

@@ -136,7 +136,7 @@ def documented_defaults(root):
 
 
 def literal_defaults(root):
-    """Yields header, parameter and default where a public header itself chooses a value that can be read from its text."""
+    """Yields header, parameter and default where a public header itself chooses a value, in a way that can be read."""
     for path in public_headers(root):
         source = path.read_text(encoding="utf-8")
         for name, default in re.findall(r"\w*np\w*::(\w+)\)\s*,\s*(true|false|\w+::[A-Z]\w*)\)", source):
@@ -182,7 +182,8 @@ def wrong_parameters(root):
         read = "".join(path.read_text(encoding="utf-8")
                        for path in (folder / header, *(folder / "internal" / helper for helper in helpers)))
         of_header = {name for path, name, _ in documented_defaults(root) if path == header}
-        for name in sorted(set(re.findall(r"\boptions\.(\w+)", read.replace("m_options", "options"))) & set(coded) - of_header):
+        read_names = set(re.findall(r"\b(?:m_)?options\.(\w+)", read)) & set(coded)
+        for name in sorted(read_names - of_header):
             if (header, name) not in NOT_FOR_USERS:
                 yield f"{header}: {name} is read, but not described"
     for name in sorted(known - described):
@@ -286,7 +287,8 @@ class Manual_test(unittest.TestCase):
         self.replace(root, OPTIONS, "End_detection::GRAPH_DISTANCE", "End_detection::MAIN_AXIS")
         self.replace(root, HEADERS / "Wireframe_extraction/segment_curves.h", "cgalParamNBegin{connection_angle}",
                      "cgalParamNBegin{smooth_angle}")
-        self.replace(root, HEADERS / "Wireframe_extraction/IO/write_wireframe_step.h", "Schema::AP214);", "Schema::AP242);")
+        self.replace(root, HEADERS / "Wireframe_extraction/IO/write_wireframe_step.h",
+                     "Schema::AP214);", "Schema::AP242);")
         self.replace(root, PARAMETER_LIST, "(visitor_t, visitor, visitor)", "(spectator_t, spectator, spectator)")
         found = "\n".join(wrong_parameters(root))
         for expected in ("detect_corners.h: the default of corner_radius is 4.5, not 4",
@@ -295,7 +297,7 @@ class Manual_test(unittest.TestCase):
                          "extract_wireframe.h: there is no named parameter visitor",
                          "segment_curves.h: connection_angle is read, but not described",
                          "segment_curves.h: the default of smooth_angle is 20., not 30",
-                         "write_wireframe_step.h: the default of step_schema is Schema::AP242, not `Step_schema::AP214`",
+                         "write_wireframe_step.h: the default of step_schema is Schema::AP242, not `Step_schema::AP214",
                          "the named parameter spectator is described nowhere",
                          "README.md: the default of corner_radius is 4.5, not 4"):
             self.assertIn(expected, found)
