@@ -1,8 +1,12 @@
 // The command line tool: a cloud with distances in, its wireframe out. See extract_wireframe --help.
 
+#include "extract_wireframe_batch.h"
+#include "extract_wireframe_error.h"
 #include "extract_wireframe_input.h"
 #include "extract_wireframe_options.h"
 #include "extract_wireframe_outputs.h"
+#include "extract_wireframe_page.h"
+#include "extract_wireframe_picture.h"
 #include "extract_wireframe_stages.h"
 #include "extract_wireframe_summary.h"
 
@@ -29,11 +33,13 @@
 #include <cstddef>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <memory>
 #include <new>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -92,11 +98,11 @@ private:
   std::atomic<int> m_percent{0};
 };
 
-// shows which stage is at work, and writes what the stages made
+// shows which stage is at work, and records what the stages made
 class Visitor : public CGAL::Wireframe_extraction::Default_visitor
 {
 public:
-  Visitor(Progress& progress, Stage_writer& stages) : m_progress(progress), m_stages(stages) {}
+  Visitor(Progress& progress, Stage_recorder& stages) : m_progress(progress), m_stages(stages) {}
 
   template <class FT>
   void sampling_distance_estimated(const FT&) { m_progress.start("selecting the skeleton"); }
@@ -104,48 +110,48 @@ public:
   template <class Skeleton>
   void skeleton_selected(const Skeleton& skeleton)
   {
-    m_stages.write_skeleton(skeleton);
+    m_stages.record_skeleton(skeleton);
     m_progress.start("contracting the skeleton");
   }
 
   template <class Skeleton>
   void skeleton_contracted(const Skeleton& skeleton)
   {
-    m_stages.write_feet(skeleton);
+    m_stages.record_feet(skeleton);
     m_progress.start("detecting corners");
   }
 
   template <class Skeleton, class Corners>
   void corners_detected(const Skeleton& skeleton, const Corners& corners)
   {
-    m_stages.write_corners(skeleton, corners);
+    m_stages.record_corners(skeleton, corners);
     m_progress.start("segmenting curves");
   }
 
   template <class Skeleton, class Clusters>
   void curves_segmented(const Skeleton& skeleton, const Clusters& clusters)
   {
-    m_stages.write_clusters(skeleton, clusters);
+    m_stages.record_clusters(skeleton, clusters);
     m_progress.start("building the graph");
   }
 
   template <class Graph>
   void graph_built(const Graph& graph)
   {
-    m_stages.write_graph(graph);
+    m_stages.record_graph(graph);
     m_progress.start("fitting curves");
   }
 
   template <class Result>
   void curves_fitted(const Result& wireframe)
   {
-    m_stages.write_curves(wireframe);
+    m_stages.record_curves(wireframe);
     m_progress.start("recognizing curve types");
   }
 
 private:
   Progress& m_progress;
-  Stage_writer& m_stages;
+  Stage_recorder& m_stages;
 };
 
 class Tool
@@ -168,16 +174,31 @@ public:
     if(m_options.has_stages)
       m_folder.remove_old_files();
     progress.start("estimating the sampling distance");
-    Stage_writer stages(m_folder);
+    Stage_recorder stages(m_folder, m_options.has_html);
     const Wireframe wireframe = extract(cloud, progress, stages);
     throw_if(stages.error(), INTERNAL_ERROR);
     throw_if_failed(wireframe);
     const auto begin = Clock::now();
-    m_outputs.write(wireframe);
+    m_seconds.insert(m_seconds.end(), m_report.seconds.begin(), m_report.seconds.end());
+    m_outputs.write(wireframe, pictures(cloud, stages, wireframe));
     m_seconds.emplace_back("writing", seconds_since(begin));
     progress.clear();
+    m_number_of_curves = wireframe.curves.size();
     if(!m_options.is_quiet)
       summarize(wireframe, stages);
+  }
+
+  // what a batch tells of this cloud
+  Cloud_result result() const
+  {
+    Cloud_result result;
+    result.number_of_points = m_report.number_of_points;
+    result.number_of_curves = m_number_of_curves;
+    result.number_of_corners = m_report.number_of_corners;
+    result.sampling_distance = m_report.sampling_distance;
+    for(const std::string& warning : m_report.warnings)
+      result.warnings.push_back(m_command_line.with_option_names(warning));
+    return result;
   }
 
 private:
@@ -234,7 +255,7 @@ private:
   }
 
   // All parameters are given each time, so that the library is compiled for one pack of them.
-  Wireframe extract(const Cloud& cloud, Progress& progress, Stage_writer& stages)
+  Wireframe extract(const Cloud& cloud, Progress& progress, Stage_recorder& stages)
   {
     const Extraction_options& options = m_options.extraction;
     Visitor visitor(progress, stages);
@@ -295,17 +316,64 @@ private:
                                       : "; --stages DIR shows what the stages found"));
   }
 
-  void summarize(const Wireframe& wireframe, const Stage_writer& stages)
+  Summary summary(const Wireframe& wireframe) const
   {
-    m_seconds.insert(m_seconds.end() - 1, m_report.seconds.begin(), m_report.seconds.end());
-    std::vector<std::string> files = m_options.outputs;
-    files.insert(files.end(), stages.written_files().begin(), stages.written_files().end());
-    print_summary(std::cout, m_options, wireframe, m_report,
-                  m_number_of_skipped + m_report.number_of_skipped_points, m_seconds, files);
+    return summary_of(m_options, wireframe, m_report, m_number_of_skipped + m_report.number_of_skipped_points);
+  }
+
+  // notes on how the input was taken, and what looks odd
+  std::vector<std::string> remarks() const
+  {
+    std::vector<std::string> texts;
     for(const std::string& note : m_notes)
-      std::cout << "Note: " << note << '\n';
+      texts.push_back("Note: " + note);
     for(const std::string& warning : m_report.warnings)
-      std::cout << "Warning: " << m_command_line.with_option_names(warning) << '\n';
+      texts.push_back("Warning: " + m_command_line.with_option_names(warning));
+    return texts;
+  }
+
+  std::vector<Picture> pictures(const Cloud& cloud, const Stage_recorder& stages, const Wireframe& wireframe) const
+  {
+    std::vector<Picture> result;
+    if(m_options.has_html)
+      result.push_back({ m_options.html, [this, &cloud, &stages, &wireframe](std::ostream& stream, std::string& error)
+      {
+        return write_page(stream, page_texts(wireframe), cloud, stages.stages(), wireframe, error);
+      } });
+    if(m_options.has_png)
+      result.push_back({ m_options.png, [this, &cloud, &wireframe](std::ostream& stream, std::string& error)
+      {
+        return write_picture(stream, m_options.view, cloud, wireframe, error);
+      } });
+    return result;
+  }
+
+  Page_texts page_texts(const Wireframe& wireframe) const
+  {
+    Page_texts texts;
+    const std::vector<std::string>& files = m_options.input.files;
+    texts.title = std::filesystem::path(files.front()).filename().string()
+                  + (files.size() > 1 ? " and " + std::to_string(files.size() - 1) + " more" : "");
+    texts.unit = CGAL::IO::internal::symbol_of(m_options.unit);
+    texts.program = "extract_wireframe " WIREFRAME_EXTRACTION_VERSION_STRING;
+    texts.summary = summary(wireframe);
+    texts.seconds = m_seconds;
+    texts.warnings = remarks();
+    texts.parameters = m_command_line.parameters();
+    return texts;
+  }
+
+  void summarize(const Wireframe& wireframe, const Stage_recorder& stages) const
+  {
+    std::vector<std::string> files = m_options.outputs;
+    if(m_options.has_html)
+      files.push_back(m_options.html);
+    if(m_options.has_png)
+      files.push_back(m_options.png);
+    files.insert(files.end(), stages.written_files().begin(), stages.written_files().end());
+    print_summary(std::cout, summary(wireframe), m_seconds, files);
+    for(const std::string& remark : remarks())
+      std::cout << remark << '\n';
   }
 
   const Command_line& m_command_line;
@@ -313,7 +381,7 @@ private:
   const Output_files<Kernel> m_outputs;
   Stage_folder m_folder;
   Report m_report;
-  std::size_t m_number_of_skipped = 0;
+  std::size_t m_number_of_skipped = 0, m_number_of_curves = 0;
   std::vector<std::pair<std::string, double> > m_seconds;
   std::vector<std::string> m_notes;
 #ifdef CGAL_LINKED_WITH_TBB
@@ -321,48 +389,92 @@ private:
 #endif
 };
 
+// Does some work, and returns how it ended: the exit code, and what went wrong.
+std::pair<int, std::string> outcome_of(const std::function<int()>& work)
+{
+  try
+  {
+    return { work(), std::string() };
+  }
+  catch(const Error& error)
+  {
+    return { error.exit_code, error.what() };
+  }
+  catch(const std::bad_alloc&)
+  {
+    return { INTERNAL_ERROR, "there is not enough memory for this cloud" };
+  }
+  catch(const std::exception& error)
+  {
+    return { INTERNAL_ERROR, std::string("unexpected: ") + error.what() };
+  }
+}
+
+int run_one(const Command_line& command_line, const Options& options)
+{
+  Tool(command_line, options).run();
+  return SUCCESS;
+}
+
+// Cloud by cloud, each in a process of its own, where this is the same as if the tool were called for it.
+int run_many(const Command_line& command_line, const Options& options)
+{
+  Options of_cloud = options;
+  of_cloud.is_quiet = true;
+  if(of_cloud.number_of_threads == 0)
+    of_cloud.number_of_threads = (std::max)(number_of_processors() / (std::max)(options.batch.number_of_jobs, 1), 1);
+  if(options.batch.number_of_jobs == 0)
+    of_cloud.number_of_threads = (std::max)(options.number_of_threads, 1);
+  for(const std::string& format : options.batch.formats)
+    Output_files<Kernel>::check_extension("--format ." + format);
+  return run_batch(options.batch, [&](const std::string& cloud, const std::vector<std::string>& outputs)
+  {
+    Cloud_result result;
+    of_cloud.input.files = { cloud };
+    of_cloud.outputs = outputs;
+    std::tie(result.exit_code, result.error) = outcome_of([&]
+    {
+      Tool tool(command_line, of_cloud);
+      tool.run();
+      result = tool.result();
+      return SUCCESS;
+    });
+    return result;
+  });
+}
+
+int parse_and_run(int argc, char** argv)
+{
+  Options options;
+  Command_line command_line(options);
+  try
+  {
+    command_line.parse(argc, argv);
+  }
+  catch(const CLI::ParseError& error)
+  {
+    if(error.get_exit_code() == 0)
+      return command_line.show_help_or_version(error);
+    throw Error(USAGE_ERROR, std::string(error.what()) + " (extract_wireframe --help tells more)");
+  }
+  return options.has_batch ? run_many(command_line, options) : run_one(command_line, options);
+}
+
 // whatever went wrong is said in one line, whose start scripts can rely on
-int fail(Exit_code code, std::string text)
+void tell_error(std::string text)
 {
   for(char& c : text)
     if(static_cast<unsigned char>(c) < 32 || c == 127)
       c = ' ';
   std::cerr << "extract_wireframe: error: " << text << '\n';
-  return code;
 }
 
 } // namespace tool
 
 int main(int argc, char** argv)
 {
-  try
-  {
-    tool::Options options;
-    tool::Command_line command_line(options);
-    try
-    {
-      command_line.parse(argc, argv);
-    }
-    catch(const CLI::ParseError& error)
-    {
-      if(error.get_exit_code() == 0)
-        return command_line.show_help_or_version(error);
-      return tool::fail(tool::USAGE_ERROR,
-                        std::string(error.what()) + " (extract_wireframe --help tells more)");
-    }
-    tool::Tool(command_line, options).run();
-    return tool::SUCCESS;
-  }
-  catch(const tool::Error& error)
-  {
-    return tool::fail(error.exit_code, error.what());
-  }
-  catch(const std::bad_alloc&)
-  {
-    return tool::fail(tool::INTERNAL_ERROR, "there is not enough memory for this cloud");
-  }
-  catch(const std::exception& error)
-  {
-    return tool::fail(tool::INTERNAL_ERROR, std::string("unexpected: ") + error.what());
-  }
+  const std::pair<int, std::string> outcome = tool::outcome_of([=] { return tool::parse_and_run(argc, argv); });
+  if(!outcome.second.empty())
+    tool::tell_error(outcome.second);
+  return outcome.first;
 }

@@ -3,7 +3,11 @@
 #ifndef EXTRACT_WIREFRAME_OPTIONS_H
 #define EXTRACT_WIREFRAME_OPTIONS_H
 
+#include "extract_wireframe_batch.h"
+#include "extract_wireframe_error.h"
 #include "extract_wireframe_input.h"
+#include "extract_wireframe_page.h"
+#include "extract_wireframe_picture.h"
 
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
@@ -19,7 +23,6 @@
 #include <initializer_list>
 #include <memory>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,29 +34,21 @@ typedef CGAL::Wireframe_extraction::internal::Extraction_options Extraction_opti
 typedef CGAL::Wireframe_extraction::Length_unit Length_unit;
 typedef CGAL::Wireframe_extraction::Step_schema Step_schema;
 
-// what the exit code tells
-enum Exit_code { SUCCESS = 0, INTERNAL_ERROR = 1, USAGE_ERROR = 2, BAD_INPUT = 3, NO_FEATURE = 4 };
-
-// a failure that ends the tool
-struct Error : std::runtime_error
-{
-  Exit_code exit_code;
-
-  Error(Exit_code code, const std::string& text) : std::runtime_error(text), exit_code(code) {}
-};
-
 struct Options
 {
   Input input;
   std::string stages_folder;
   std::vector<std::string> outputs;
-  bool has_stages = false, is_paper = false, is_quiet = false;
+  std::string html, png;
+  View view = View::ISOMETRIC;   // of the picture
+  bool has_stages = false, has_batch = false, has_html = false, has_png = false, is_paper = false, is_quiet = false;
   int number_of_threads = 0;      // 0: as many as there are
   double sampling_distance = 0.;  // 0: to be estimated
   Length_unit unit = Length_unit::MILLIMETER;
   Step_schema step_schema = Step_schema::AP214;
   bool has_obj_splines = false;
   Extraction_options extraction;
+  Batch_options batch;
 };
 
 // Option by option: its name, and its description in lines that fit a terminal.
@@ -109,6 +104,7 @@ public:
     m_app.set_help_flag(); // for now, so that the files come first
     add_files();
     add_input();
+    add_batch();
     add_run();
     add_skeleton();
     add_corners();
@@ -118,8 +114,10 @@ public:
     add_types();
     m_app.footer(
       "Exit codes: 0 success, 1 internal error (or a full disk), 2 wrong usage, 3 bad input,\n"
-      "4 no sharp feature found. On failure no OUT is left behind or overwritten.\n\n"
-      "Example: extract_wireframe part.ply -o part.json -o part.obj");
+      "4 no sharp feature found; of a batch also 5 some clouds failed, 6 another batch is at work there,\n"
+      "128 and more ended by a signal. On failure no OUT is left behind or overwritten.\n\n"
+      "Examples: extract_wireframe part.ply -o part.json -o part.obj\n"
+      "          extract_wireframe --batch clouds.txt --output-dir wireframes --format json --format step");
   }
 
   // throws CLI::ParseError, also when the help or the version is asked for
@@ -133,11 +131,29 @@ public:
       m_options.extraction = wireframe::internal::extraction_options(wireframe::parameters::paper_defaults());
       m_app.parse(argc, argv);
     }
+    m_options.has_batch = m_app.count("--batch") > 0;
+    if(m_options.has_batch)
+      complete_batch();
+    else
+      check_files_are_given();
     m_options.input.has_distances = m_app.count("--distances") > 0;
     if(m_options.input.files.size() > 1 && !m_options.input.are_patches)
       throw CLI::ExtrasError("extract_wireframe",
                              {m_options.input.files[1] + " (several clouds are read as --patches of one)"});
     m_options.has_stages = m_app.count("--stages") > 0;
+    m_options.has_html = m_app.count("--html") > 0;
+    m_options.has_png = m_app.count("--png") > 0;
+  }
+
+  // what the options are in this run, the files left out
+  std::vector<Parameter> parameters() const
+  {
+    std::vector<Parameter> result;
+    for(const auto& parameter : m_parameters)
+      if(parameter.first->get_group() != "Files")
+        result.push_back({ parameter.first->get_group(), parameter.first->get_name(), parameter.second(),
+                           parameter.first->count() > 0 });
+    return result;
   }
 
   int show_help_or_version(const CLI::ParseError& request) const { return m_app.exit(request); }
@@ -159,12 +175,22 @@ private:
     m_app.add_option("CLOUD", m_options.input.files,
                      "The points and their distances: .ply .pcd .npy .npz .h5 .hdf5, or a text of four columns: "
                      ".xyz .txt .csv .asc .pts; with --distances also .off. With --patches, as many as there are")
-      ->required()->type_name(" ");
+      ->type_name(" ");
     m_app.add_option("-o,--output", m_options.outputs,
                      "Where the wireframe goes, as often as needed; the extension gives the format: .json "
                      "(all of it), .step .stp .iges .igs .brep .dxf (its curves), .obj .ply .vtp .gltf .glb "
                      ".polylines.txt .txt .cgal (sampled curves), .svg (a drawing), or .csv (a table)")
-      ->required()->take_all()->allow_extra_args(false)->type_name("OUT")->group(group);
+      ->take_all()->allow_extra_args(false)->type_name("OUT")->group(group);
+    m_app.add_option("--html", m_options.html,
+                     "Write a page that shows the cloud, the stages and the curves in a browser, in one file that "
+                     "needs nothing else")
+      ->type_name("OUT.html")->group(group);
+    m_app.add_option("--png", m_options.png,
+                     "Write a picture of the cloud, the curves and the vertices; it takes no display")
+      ->type_name("OUT.png")->group(group);
+    add_choice("--view", m_options.view,
+               {{"isometric", View::ISOMETRIC}, {"front", View::FRONT}, {"right", View::RIGHT}, {"top", View::TOP}},
+               "From where the picture of --png is taken, as in .svg", group);
     add_choice("--unit", m_options.unit,
                {{"um", Length_unit::MICROMETER}, {"mm", Length_unit::MILLIMETER},
                 {"cm", Length_unit::CENTIMETER}, {"m", Length_unit::METER},
@@ -217,6 +243,97 @@ private:
     m_app.add_flag("--skip-invalid", m_options.input.skip_invalid,
                    "Leave out points with a number that is not finite, or a negative distance")
       ->group(group);
+  }
+
+  void add_batch()
+  {
+    const std::string group = "Many clouds";
+    Batch_options& batch = m_options.batch;
+    CLI::Option* const list = m_app.add_option("--batch", batch.list,
+                     "Instead of CLOUD: a text that names one cloud per line (- is the standard input), relative to "
+                     "its own folder; empty lines and lines that start with # do not count. Every cloud gets a process of "
+                     "its own, so that whatever happens to one, the others go on")
+      ->type_name("LIST")->group(group);
+    const auto add = [&](const char* name, auto& value, const char* type, const char* description)
+    {
+      return m_app.add_option(name, value, description)->type_name(type)->needs(list)->group(group);
+    };
+    add("--output-dir", batch.output_folder, "DIR",
+        "Instead of OUT: the folder (made if missing) that gets the wireframe of a/b.ply as a/b.json. What is finished "
+        "there is skipped, unless the cloud or the options have changed");
+    add("--format", batch.formats, "EXTENSION",
+        "What is written, as often as needed: the extension of an OUT; json if not given")
+      ->take_all()->allow_extra_args(false);
+    add("--input-dir", batch.input_folder, "DIR",
+        "Where relative names in LIST start, and paths in the output folder; otherwise the folder of LIST, or for - "
+        "the current one");
+    add("--summary", batch.summary, "FILE",
+        "The table with a row per cloud, as CSV; otherwise summary.csv in the output folder");
+    add_checked("--jobs", batch.number_of_jobs, 1, 1024,
+                "How many clouds at once; otherwise as many as there are processors. --threads counts for each of "
+                "them, and is such that they share the processors unless given", group)
+      ->needs(list);
+    add_number("--timeout", batch.time_limit, 0., 1e8, false, "A cloud that takes longer fails, in seconds", group,
+               false)
+      ->needs(list);
+    add_checked("--memory-limit", batch.memory_limit, 1, 99999999, "A cloud that needs more fails, in megabytes", group)
+      ->needs(list);
+    m_app.add_flag("--keep-failed", batch.are_failed_kept,
+                   "Do not try again what failed before with the same cloud and options")
+      ->needs(list)->group(group);
+    add("--part", batch.part, "K/N",
+        "Only the K-th of N parts of LIST, for jobs of a cluster, which may run at the same time with one output "
+        "folder; the summary is summary-K-of-N.csv then");
+  }
+
+  void check_files_are_given() const
+  {
+    if(m_app.count("CLOUD") == 0)
+      throw CLI::RequiredError("CLOUD");
+    if(m_app.count("--output") == 0 && m_app.count("--html") == 0 && m_app.count("--png") == 0)
+      throw CLI::RequiredError("--output (or --html, or --png)");
+  }
+
+  void complete_batch()
+  {
+    for(const char* const name : { "CLOUD", "--output", "--html", "--png", "--stages", "--distances" })
+      if(m_app.count(name) > 0)
+        throw CLI::ExcludesError("--batch", name);
+    if(m_options.batch.output_folder.empty())
+      throw CLI::RequiredError("--batch: --output-dir");
+    complete_formats(m_options.batch.formats);
+    m_options.batch.is_quiet = m_options.is_quiet;
+    m_options.batch.settings = settings();
+  }
+
+  static void complete_formats(std::vector<std::string>& formats)
+  {
+    if(formats.empty())
+      formats = { "json" };
+    for(std::string& format : formats)
+      format.erase(0, format.find_first_not_of('.')); // .json is as good as json
+    for(std::size_t i = 0; i < formats.size(); ++i)
+      for(std::size_t j = 0; j < i; ++j)
+        if(formats[i] == formats[j])
+          throw CLI::ValidationError("--format: " + formats[i] + " is given twice");
+  }
+
+  // what was given and differs from the defaults, as it decides on the results; the version says which defaults these are
+  std::string settings() const
+  {
+    std::string text = "version " WIREFRAME_EXTRACTION_VERSION_STRING;
+    for(const CLI::Option* const option : m_app.get_options())
+    {
+      const bool is_of_run = option->get_group() == "Many clouds" || option->get_group() == "Run";
+      if(option->count() == 0 || (is_of_run && option->get_name() != "--paper"))
+        continue;
+      std::string value;
+      for(const std::string& word : option->results())
+        value += " " + word;
+      if(value != " " + option->get_default_str())
+        text += " " + option->get_name() + value;
+    }
+    return text;
   }
 
   void add_run()
@@ -337,13 +454,14 @@ private:
       ->group(group);
     add_number("--type-significance", extraction.type_significance, 0., 1., false,
                "Share of true lines, circles and ellipses that may be taken for splines", group);
-    m_app.add_flag("--regularize", extraction.regularize,
+    const bool& regularize = extraction.regularize;
+    add_parameter(m_app.add_flag("--regularize", extraction.regularize,
                    "Make radii equal, circles coaxial, and directions parallel or orthogonal, where the field agrees; "
                    "what was changed is printed")
-      ->group(group);
+      ->group(group), [&regularize] { return std::string(regularize ? "true" : "false"); });
   }
 
-  void add_number(const std::string& name, double& value, double least, double most, bool is_least_allowed,
+  CLI::Option* add_number(const std::string& name, double& value, double least, double most, bool is_least_allowed,
                   const std::string& description, const std::string& group, bool has_default = true)
   {
     // CLI11's own checks let through what is not a number, and infinities
@@ -360,6 +478,11 @@ private:
       ->check(CLI::Validator(check, ""))->type_name("NUMBER")->group(group);
     if(has_default)
       option->default_str(to_text(value));
+    add_parameter(option, [&value, has_default, option]
+    {
+      return has_default || option->count() > 0 ? to_text(value) : std::string("from the cloud");
+    });
+    return option;
   }
 
   CLI::Option* add_checked(const std::string& name, int& value, int least, int most,
@@ -374,8 +497,10 @@ private:
       return "\"" + text + "\" is not a whole number from " + std::to_string(least) + " to "
              + std::to_string(most);
     };
-    return m_app.add_option(name, value, description)
+    CLI::Option* const option = m_app.add_option(name, value, description)
       ->check(CLI::Validator(check, ""))->type_name("NUMBER")->group(group);
+    add_parameter(option, [&value] { return value > 0 ? std::to_string(value) : std::string("as many as there are"); });
+    return option;
   }
 
   void add_boolean(const std::string& name, bool& value, const std::string& description,
@@ -412,8 +537,21 @@ private:
           return std::string();
       return "\"" + text + "\" is not one of " + names_text;
     };
-    m_app.add_option_function<std::string>(name, set, description)
+    CLI::Option* const option = m_app.add_option_function<std::string>(name, set, description)
       ->check(CLI::Validator(check, ""))->type_name(names_text)->default_str(name_of_default)->group(group);
+    add_parameter(option, [&value, known]
+    {
+      for(const auto& choice : known)
+        if(choice.second == value)
+          return choice.first;
+      return std::string();
+    });
+  }
+
+  // the function gives the value that the option has then
+  void add_parameter(const CLI::Option* option, const std::function<std::string()>& value)
+  {
+    m_parameters.emplace_back(option, value);
   }
 
   static std::string to_text(double value)
@@ -454,6 +592,7 @@ private:
 
   Options& m_options;
   CLI::App m_app;
+  std::vector<std::pair<const CLI::Option*, std::function<std::string()> > > m_parameters;
 };
 
 } // namespace tool

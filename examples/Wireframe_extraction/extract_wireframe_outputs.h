@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <ostream>
 #include <string>
@@ -21,6 +22,13 @@
 #include <vector>
 
 namespace tool {
+
+// what is written beside the wireframe: the name of a file, and what writes it
+struct Picture
+{
+  std::string name;
+  std::function<bool(std::ostream&, std::string&)> write;
+};
 
 template <class GeomTraits>
 class Output_files
@@ -38,18 +46,34 @@ public:
     {
       if(name.empty())
         throw Error(USAGE_ERROR, "the name of an output file is empty");
-      const std::string extension = CGAL::IO::internal::lower_extension(name);
-      if(writers().count(extension) == 0)
-        throw Error(USAGE_ERROR, name + ": " + why_unknown(extension));
+      check_extension(name);
       check_writable(name);
     }
+    if(m_options.has_html)
+      check_page();
+    if(m_options.has_png)
+      check_picture();
+  }
+
+  static void check_extension(const std::string& name)
+  {
+    const std::string extension = CGAL::IO::internal::lower_extension(name);
+    if(writers().count(extension) == 0)
+      throw Error(USAGE_ERROR, name + ": " + why_unknown(extension));
   }
 
   // All files are written, or none of them is: each takes its place only when all that follow have theirs.
-  void write(const Wireframe& wireframe) const
+  void write(const Wireframe& wireframe, const std::vector<Picture>& pictures) const
   {
+    std::vector<Picture> files;
+    for(const std::string& name : m_names)
+      files.push_back({ name, [this, &name, &wireframe](std::ostream& stream, std::string& error)
+      {
+        return writers().at(CGAL::IO::internal::lower_extension(name))(stream, wireframe, m_options, error);
+      } });
+    files.insert(files.end(), pictures.begin(), pictures.end());
     std::string error;
-    if(!write_from(0, wireframe, error))
+    if(!write_from(0, files, error))
       throw Error(INTERNAL_ERROR, error);
   }
 
@@ -59,7 +83,29 @@ private:
     if(CGAL::IO::internal::is_cad_extension(extension))
       return "this extract_wireframe was built without OpenCASCADE, which " + extension
              + " needs; install it (Debian: libocct-data-exchange-dev) and build again";
+    if(extension == ".html" || extension == ".png")
+      return "it shows the cloud, too; write it with --" + extension.substr(1) + " OUT" + extension;
     return std::string("unknown extension of a wireframe; known are ") + CGAL::IO::internal::known_wireframe_extensions();
+  }
+
+  void check_page() const
+  {
+    if(m_options.html.empty())
+      throw Error(USAGE_ERROR, "the name of the page is empty; give --html OUT.html");
+    if(!has_viewer())
+      throw Error(USAGE_ERROR, m_options.html + ": this extract_wireframe was built without the viewer that --html "
+                               "needs; install npm (Debian: npm), configure and build again");
+    check_writable(m_options.html);
+  }
+
+  void check_picture() const
+  {
+    if(m_options.png.empty())
+      throw Error(USAGE_ERROR, "the name of the picture is empty; give --png OUT.png");
+    if(!has_png())
+      throw Error(USAGE_ERROR, m_options.png + ": this extract_wireframe was built without libpng, which --png needs; "
+                               "install it (Debian: libpng-dev) and build again");
+    check_writable(m_options.png);
   }
 
   static const std::map<std::string, Writer>& writers()
@@ -149,18 +195,16 @@ private:
       throw Error(USAGE_ERROR, error);
   }
 
-  bool write_from(std::size_t first, const Wireframe& wireframe, std::string& error) const
+  static bool write_from(std::size_t first, const std::vector<Picture>& files, std::string& error)
   {
-    if(first == m_names.size())
+    if(first == files.size())
       return true;
-    const std::string& name = m_names[first];
-    const Writer write = writers().at(CGAL::IO::internal::lower_extension(name));
     std::string own_error;
-    const bool is_written = CGAL::IO::internal::write_beside_and_rename(name,
+    const bool is_written = CGAL::IO::internal::write_beside_and_rename(files[first].name,
       [&](std::ostream& stream, std::string& reason)
       {
-        if(write(stream, wireframe, m_options, reason))
-          return write_from(first + 1, wireframe, error);
+        if(files[first].write(stream, reason))
+          return write_from(first + 1, files, error);
         if(!stream)
           reason.clear(); // the system knows better why the stream takes nothing
         return false;
@@ -194,6 +238,10 @@ inline void check_that_files_differ(const Options& options)
     add(options.input.distances, false);
   for(const std::string& name : options.outputs)
     add(name, true);
+  if(options.has_html)
+    add(options.html, true);
+  if(options.has_png)
+    add(options.png, true);
   if(options.has_stages)
     for(const std::string& name : Stage_folder::file_names())
       add((fs::path(options.stages_folder) / name).string(), true);

@@ -1,11 +1,11 @@
-// Writes the result of each stage as a coloured PLY file, for MeshLab and CloudCompare.
+// Records the result of each stage: as a coloured PLY file, for MeshLab and CloudCompare, and for the page of --html.
 
 #ifndef EXTRACT_WIREFRAME_STAGES_H
 #define EXTRACT_WIREFRAME_STAGES_H
 
+#include "extract_wireframe_geometry.h"
+
 #include <CGAL/Wireframe_extraction/IO/internal/Sampled_wireframe.h>
-#include <CGAL/Wireframe_extraction/IO/internal/write_beside_and_rename.h>
-#include <CGAL/Wireframe_extraction/IO/write_wireframe_ply.h>
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
@@ -17,118 +17,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
-#include <ostream>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace tool {
-
-struct Colour
-{
-  unsigned char red, green, blue;
-};
-
-const Colour grey = { 150, 150, 150 };
-const Colour corner_colour = { 230, 30, 30 };
-
-// from blue over green and yellow to red, for 0 to 1
-inline Colour colour_of_value(double value)
-{
-  static const Colour stops[] = {{40, 60, 200}, {30, 170, 200}, {60, 190, 80}, {240, 210, 40}, {220, 40, 30}};
-  const double position = 4. * (std::min)((std::max)(value, 0.), 1.);
-  const int first = (std::min)(static_cast<int>(position), 3);
-  const double t = position - first;
-  const auto mix = [t](unsigned char a, unsigned char b)
-  {
-    return static_cast<unsigned char>(std::lround((1. - t) * a + t * b));
-  };
-  const Colour& a = stops[first];
-  const Colour& b = stops[first + 1];
-  return { mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue) };
-}
-
-// neighbouring indices get colours far apart
-inline Colour colour_of_index(std::size_t index)
-{
-  const double hue = 6. * std::fmod(static_cast<double>(index) * 0.6180339887498949, 1.);
-  const double strength = (index / 3) % 2 == 0 ? 230. : 160.;
-  const auto channel = [hue, strength](double peak)
-  {
-    const double away = (std::min)(std::abs(hue - peak), 6. - std::abs(hue - peak));
-    return static_cast<unsigned char>(std::lround(strength * (std::min)((std::max)(2. - away, 0.1), 1.)));
-  };
-  return { channel(0.), channel(2.), channel(4.) };
-}
-
-// points, each with a colour and a value, and edges between them
-class Coloured_ply
-{
-public:
-  // CloudCompare shows the properties scalar_... of a file under the rest of their names
-  explicit Coloured_ply(const std::string& value_name) : m_value_name(value_name) {}
-
-  template <class Point>
-  std::size_t add_point(const Point& point, const Colour& colour, double value)
-  {
-    return add_point(std::array<double, 3>{ CGAL::to_double(point.x()), CGAL::to_double(point.y()),
-                                            CGAL::to_double(point.z()) }, colour, value);
-  }
-
-  std::size_t add_point(const std::array<double, 3>& point, const Colour& colour, double value)
-  {
-    for(const double coordinate : point)
-      CGAL::IO::internal::append_little_endian(coordinate, m_vertices);
-    append_colour(colour, m_vertices);
-    CGAL::IO::internal::append_little_endian(value, m_vertices);
-    return m_number_of_vertices++;
-  }
-
-  void add_edge(std::size_t first, std::size_t second, const Colour& colour)
-  {
-    for(const std::size_t index : { first, second })
-      CGAL::IO::internal::append_little_endian(static_cast<std::uint32_t>(index), m_edges);
-    append_colour(colour, m_edges);
-    ++m_number_of_edges;
-  }
-
-  // returns what went wrong, nothing if all went well
-  std::string write(const std::string& filename) const
-  {
-    std::string error;
-    CGAL::IO::internal::write_beside_and_rename(filename, [this](std::ostream& stream, std::string&)
-    {
-      write_header(stream);
-      stream << m_vertices << m_edges;
-      return true;
-    }, error);
-    return error;
-  }
-
-private:
-  static void append_colour(const Colour& colour, std::string& bytes)
-  {
-    for(const unsigned char channel : { colour.red, colour.green, colour.blue })
-      bytes += static_cast<char>(channel);
-  }
-
-  void write_header(std::ostream& stream) const
-  {
-    const std::string colours = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
-    stream << "ply\nformat binary_little_endian 1.0\nelement vertex " << std::to_string(m_number_of_vertices)
-           << "\nproperty double x\nproperty double y\nproperty double z\n" << colours
-           << "property double scalar_" << m_value_name << '\n';
-    if(m_number_of_edges > 0)
-      stream << "element edge " << std::to_string(m_number_of_edges)
-             << "\nproperty int vertex1\nproperty int vertex2\n" << colours;
-    stream << "end_header\n";
-  }
-
-  std::string m_value_name, m_vertices, m_edges;
-  std::size_t m_number_of_vertices = 0, m_number_of_edges = 0;
-};
 
 // The folder for the stages, made if missing. What was made and stays empty is removed at the end.
 class Stage_folder
@@ -192,49 +87,59 @@ private:
   std::vector<std::filesystem::path> m_made;
 };
 
-// Writes stage after stage; remembers the first thing that went wrong, and the files that were written.
-class Stage_writer
+// What a stage made, under the name of its file without number and extension.
+struct Recorded_stage
+{
+  std::string name;
+  std::size_t count;   // of what the stage made: points, corners, clusters, edges or curves
+  Coloured_geometry geometry;
+};
+
+// Records stage after stage, in files if there is a folder for them, and in memory if that is wanted. Remembers the
+// first thing that went wrong, and the files that were written.
+class Stage_recorder
 {
 public:
-  explicit Stage_writer(const Stage_folder& folder) : m_folder(folder) {}
+  Stage_recorder(const Stage_folder& folder, bool is_kept) : m_folder(folder), m_is_kept(is_kept) {}
 
   const std::string& error() const { return m_error; }
   const std::vector<std::string>& written_files() const { return m_written_files; }
+  const std::vector<Recorded_stage>& stages() const { return m_stages; }
 
   template <class Skeleton>
-  void write_skeleton(const Skeleton& skeleton)
+  void record_skeleton(const Skeleton& skeleton)
   {
     if(!is_on())
       return;
     double largest = 0.;
     for(std::size_t i = 0; i < skeleton.size(); ++i)
       largest = (std::max)(largest, CGAL::to_double(skeleton.distance(i)));
-    Coloured_ply ply("distance");
+    Coloured_geometry geometry("distance");
     for(std::size_t i = 0; i < skeleton.size(); ++i)
     {
       const double distance = CGAL::to_double(skeleton.distance(i));
-      ply.add_point(skeleton.point(i), colour_of_value(largest > 0. ? distance / largest : 0.), distance);
+      geometry.add_point(skeleton.point(i), colour_of_value(largest > 0. ? distance / largest : 0.), distance);
     }
-    write(ply, 0);
+    record(std::move(geometry), 0, skeleton.size());
   }
 
   template <class Skeleton>
-  void write_feet(const Skeleton& skeleton)
+  void record_feet(const Skeleton& skeleton)
   {
     if(!is_on() || !skeleton.is_contracted())
       return;
-    Coloured_ply ply("residual");
+    Coloured_geometry geometry("residual");
     for(std::size_t i = 0; i < skeleton.size(); ++i)
     {
       const double residual = CGAL::to_double(skeleton.residual(i));
-      ply.add_point(skeleton.foot(i),
+      geometry.add_point(skeleton.foot(i),
                     colour_of_value(residual / CGAL::to_double(skeleton.sampling_distance())), residual);
     }
-    write(ply, 1);
+    record(std::move(geometry), 1, skeleton.size());
   }
 
   template <class Skeleton, class Corners>
-  void write_corners(const Skeleton& skeleton, const Corners& corners)
+  void record_corners(const Skeleton& skeleton, const Corners& corners)
   {
     if(!is_on())
       return;
@@ -243,15 +148,15 @@ public:
       for(const std::size_t member : corners[i].members)
         if(member < skeleton.size())
           corner_of_point[member] = i;
-    Coloured_ply ply("corner");
-    add_by_index(skeleton, corner_of_point, corners.size(), ply);
+    Coloured_geometry geometry("corner");
+    add_by_index(skeleton, corner_of_point, corners.size(), geometry);
     for(std::size_t i = 0; i < corners.size(); ++i)
-      add_ball(corners[i], static_cast<double>(i), ply);
-    write(ply, 2);
+      add_ball(corners[i], static_cast<double>(i), geometry);
+    record(std::move(geometry), 2, corners.size());
   }
 
   template <class Skeleton, class Clusters>
-  void write_clusters(const Skeleton& skeleton, const Clusters& clusters)
+  void record_clusters(const Skeleton& skeleton, const Clusters& clusters)
   {
     if(!is_on())
       return;
@@ -260,27 +165,27 @@ public:
       for(const std::size_t member : clusters[i])
         if(member < skeleton.size())
           cluster_of_point[member] = i;
-    Coloured_ply ply("cluster");
-    add_by_index(skeleton, cluster_of_point, clusters.size(), ply);
-    write(ply, 3);
+    Coloured_geometry geometry("cluster");
+    add_by_index(skeleton, cluster_of_point, clusters.size(), geometry);
+    record(std::move(geometry), 3, clusters.size());
   }
 
   template <class Graph>
-  void write_graph(const Graph& graph)
+  void record_graph(const Graph& graph)
   {
     if(!is_on())
       return;
-    Coloured_ply ply("corner");
+    Coloured_geometry geometry("corner");
     for(const auto v : boost::make_iterator_range(vertices(graph)))
-      ply.add_point(get(CGAL::vertex_point, graph, v), graph[v].is_corner ? corner_colour : grey,
+      geometry.add_point(get(CGAL::vertex_point, graph, v), graph[v].is_corner ? corner_colour : grey,
                     graph[v].is_corner ? 1. : 0.);
     for(const auto e : boost::make_iterator_range(edges(graph)))
-      ply.add_edge(source(e, graph), target(e, graph), colour_of_index(graph[e].curve_id));
-    write(ply, 4);
+      geometry.add_edge(source(e, graph), target(e, graph), colour_of_index(graph[e].curve_id));
+    record(std::move(geometry), 4, num_edges(graph));
   }
 
   template <class Wireframe>
-  void write_curves(const Wireframe& wireframe)
+  void record_curves(const Wireframe& wireframe)
   {
     if(!is_on() || wireframe.is_empty())
       return;
@@ -288,10 +193,10 @@ public:
     std::string error;
     if(!sampled.sample(wireframe, 0., typename Wireframe::Geom_traits(), error))
     {
-      m_error = m_folder.path_of(Stage_folder::file_names()[5]) + ": " + error;
+      m_error = "the fitted curves cannot be recorded: " + error;
       return;
     }
-    Coloured_ply ply("curve");
+    Coloured_geometry geometry("curve");
     // every curve has points of its own, so that each point has the colour of its curve
     for(std::size_t i = 0; i < sampled.polylines.size(); ++i)
     {
@@ -300,43 +205,43 @@ public:
       for(std::size_t j = 0; j < sampled.polylines[i].size(); ++j)
       {
         const auto& p = sampled.points[sampled.polylines[i][j]];
-        const std::size_t index = ply.add_point(std::array<double, 3>{ p[0], p[1], p[2] }, colour,
+        const std::size_t index = geometry.add_point(std::array<double, 3>{ p[0], p[1], p[2] }, colour,
                                                 static_cast<double>(i));
         if(j > 0)
-          ply.add_edge(last, index, colour);
+          geometry.add_edge(last, index, colour);
         last = index;
       }
     }
-    write(ply, 5);
+    record(std::move(geometry), 5, wireframe.curves.size());
   }
 
 private:
-  bool is_on() const { return m_folder.is_given() && m_error.empty(); }
+  bool is_on() const { return (m_folder.is_given() || m_is_kept) && m_error.empty(); }
 
   // what belongs to nothing is grey, with the value -1
   template <class Skeleton>
   static void add_by_index(const Skeleton& skeleton, const std::vector<std::size_t>& index_of_point,
-                           std::size_t number_of_indices, Coloured_ply& ply)
+                           std::size_t number_of_indices, Coloured_geometry& geometry)
   {
     for(std::size_t i = 0; i < skeleton.size(); ++i)
     {
       const std::size_t index = index_of_point[i];
       const bool is_free = (index == number_of_indices);
-      ply.add_point(skeleton.is_contracted() ? skeleton.foot(i) : skeleton.point(i),
+      geometry.add_point(skeleton.is_contracted() ? skeleton.foot(i) : skeleton.point(i),
                     is_free ? grey : colour_of_index(index), is_free ? -1. : static_cast<double>(index));
     }
   }
 
   // a single point is hard to see: three circles show the ball of the corner
   template <class Corner>
-  static void add_ball(const Corner& corner, double value, Coloured_ply& ply)
+  static void add_ball(const Corner& corner, double value, Coloured_geometry& geometry)
   {
     const std::array<double, 3> center = {CGAL::to_double(corner.center.x()),
                                           CGAL::to_double(corner.center.y()),
                                           CGAL::to_double(corner.center.z())};
     const double radius = CGAL::to_double(corner.radius);
     const std::size_t count = 24;
-    ply.add_point(center, corner_colour, value);
+    geometry.add_point(center, corner_colour, value);
     for(std::size_t axis = 0; axis < 3; ++axis)
     {
       std::size_t first = 0, last = 0;
@@ -346,28 +251,36 @@ private:
         std::array<double, 3> point = center;
         point[axis] += radius * std::cos(angle);
         point[(axis + 1) % 3] += radius * std::sin(angle);
-        const std::size_t index = ply.add_point(point, corner_colour, value);
+        const std::size_t index = geometry.add_point(point, corner_colour, value);
         if(i == 0)
           first = index;
         else
-          ply.add_edge(last, index, corner_colour);
+          geometry.add_edge(last, index, corner_colour);
         last = index;
       }
-      ply.add_edge(last, first, corner_colour);
+      geometry.add_edge(last, first, corner_colour);
     }
   }
 
-  void write(const Coloured_ply& ply, std::size_t stage)
+  void record(Coloured_geometry&& geometry, std::size_t stage, std::size_t count)
   {
-    const std::string filename = m_folder.path_of(Stage_folder::file_names()[stage]);
-    m_error = ply.write(filename);
-    if(m_error.empty())
-      m_written_files.push_back(filename);
+    const std::string& file_name = Stage_folder::file_names()[stage];
+    if(m_folder.is_given())
+    {
+      const std::string filename = m_folder.path_of(file_name);
+      m_error = geometry.write(filename);
+      if(m_error.empty())
+        m_written_files.push_back(filename);
+    }
+    if(m_is_kept)
+      m_stages.push_back({ file_name.substr(2, file_name.find('.') - 2), count, std::move(geometry) });
   }
 
   const Stage_folder& m_folder;
+  const bool m_is_kept;
   std::string m_error;
   std::vector<std::string> m_written_files;
+  std::vector<Recorded_stage> m_stages;
 };
 
 } // namespace tool

@@ -109,24 +109,35 @@ inline std::string times_text(const std::vector<std::pair<std::string, double> >
   return seconds_text(sum) + " (" + text + ")";
 }
 
+// the rows of a table: a name and a text each
+typedef std::vector<std::pair<std::string, std::string> > Summary;
+
 template <class GeomTraits>
-void print_summary(std::ostream& out, const Options& options, const CGAL::Wireframe<GeomTraits>& wireframe,
-                   const CGAL::Wireframe_extraction_report& report, std::size_t number_of_skipped,
-                   const std::vector<std::pair<std::string, double> >& seconds,
-                   const std::vector<std::string>& written_files)
+Summary summary_of(const Options& options, const CGAL::Wireframe<GeomTraits>& wireframe,
+                   const CGAL::Wireframe_extraction_report& report, std::size_t number_of_skipped)
 {
   const double r = report.sampling_distance;
-  print_row(out, "Points", points_text(report, number_of_skipped));
-  print_row(out, "r", short_number(r) + (options.sampling_distance > 0. ? " (given)" : " (estimated)"));
-  print_row(out, "Noise", length_text(report.noise, r));
-  print_row(out, "Skeleton", counted(report.skeleton_size, "point", "points"));
-  print_row(out, "Corners", std::to_string(report.number_of_corners)
-            + (report.number_of_free_ends == 0 ? "" : ", and " + std::to_string(report.number_of_free_ends) + " free ends"));
-  print_row(out, "Curves", curves_text(wireframe));
+  Summary rows;
+  rows.emplace_back("Points", points_text(report, number_of_skipped));
+  rows.emplace_back("r", short_number(r) + (options.sampling_distance > 0. ? " (given)" : " (estimated)"));
+  rows.emplace_back("Noise", length_text(report.noise, r));
+  rows.emplace_back("Skeleton", counted(report.skeleton_size, "point", "points"));
+  rows.emplace_back("Corners", std::to_string(report.number_of_corners)
+    + (report.number_of_free_ends == 0 ? "" : ", and " + std::to_string(report.number_of_free_ends) + " free ends"));
+  rows.emplace_back("Curves", curves_text(wireframe));
   for(const std::string& regularity : report.regularities)
-    print_row(out, "Regular", regularity); // curves are counted from 0, as in the files
-  print_row(out, "Residuals", "rms " + length_text(report.root_mean_square, r) + ", largest "
-                                + length_text(report.maximum_deviation, r));
+    rows.emplace_back("Regular", regularity); // curves are counted from 0, as in the files
+  rows.emplace_back("Residuals", "rms " + length_text(report.root_mean_square, r) + ", largest "
+                                   + length_text(report.maximum_deviation, r));
+  return rows;
+}
+
+inline void print_summary(std::ostream& out, const Summary& summary,
+                          const std::vector<std::pair<std::string, double> >& seconds,
+                          const std::vector<std::string>& written_files)
+{
+  for(const auto& row : summary)
+    print_row(out, row.first, row.second);
   print_row(out, "Seconds", times_text(seconds));
   for(const std::string& name : written_files)
     print_row(out, "Written", name);

@@ -25,15 +25,18 @@
 #include <CGAL/Wireframe_extraction/select_skeleton.h>
 
 #include <CGAL/Real_timer.h>
+#include <CGAL/number_utils.h>
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <sstream>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Wireframe_extraction {
@@ -208,8 +211,9 @@ public:
 extracts the parametric wireframe of a shape from a dense point cloud of its surface, in which every point carries an
 estimate of its distance to the nearest sharp feature curve.
 
-The function chains `estimate_sampling_distance()`, `select_skeleton()`, `contract_skeleton()`, `refine_field()`, `detect_corners()`,
-`segment_curves()`, `build_topological_graph()` and `fit_curves()`; every named parameter of these functions can be
+The function chains `estimate_sampling_distance()`, `select_skeleton()`, `contract_skeleton()`, `refine_field()`,
+`detect_corners()`, `segment_curves()`, `build_topological_graph()`, `fit_curves()` and `recognize_curve_types()`, which
+extend the method of \cgalCite{MAZB21}; every named parameter of these functions can be
 given. The result does not depend on the order of the points or the number of threads, and moves and scales with the
 cloud, up to rounding.
 

@@ -1,5 +1,6 @@
 # Installs the build in `binary_folder` below `work_folder`, then configures, builds and runs the consumer
-# against it. The prefix has a space in its name, as users' folders do.
+# against it. The prefix has a space in its name, as users' folders do. With `cpack` and `dpkg_deb`, what is
+# installed comes out of the Debian package; with `has_tool`, the tool's package is looked at, too.
 set(prefix "${work_folder}/prefix")
 set(consumer_folder "${work_folder}/build")
 file(REMOVE_RECURSE "${work_folder}")
@@ -26,8 +27,47 @@ if(configuration)
   set(configuration_arguments --config "${configuration}")
 endif()
 
-run_or_fail("${CMAKE_COMMAND}" --install "${binary_folder}" ${configuration_arguments}
-  --component Development --prefix "${prefix}")
+function(expect_field package field expected)
+  execute_process(COMMAND "${dpkg_deb}" --field "${package}" ${field} OUTPUT_VARIABLE value COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT value MATCHES "${expected}")
+    message(FATAL_ERROR "${package}: ${field} is not as expected: ${value}")
+  endif()
+endfunction()
+
+if(cpack)
+  set(cpack_configuration)
+  if(configuration)
+    set(cpack_configuration -C "${configuration}")
+  endif()
+  run_or_fail("${cpack}" -G DEB ${cpack_configuration} --config "${binary_folder}/CPackConfig.cmake"
+    -B "${work_folder}/packages")
+  set(package "${work_folder}/packages/libwireframe-extraction-dev_${version}_all.deb")
+  expect_field("${package}" Version "^${version}\n$")
+  expect_field("${package}" Depends "libcgal-dev.*libeigen3-dev.*libceres-dev")
+  run_or_fail("${dpkg_deb}" -x "${package}" "${work_folder}/dev")
+  file(RENAME "${work_folder}/dev/usr" "${prefix}")
+  if(NOT EXISTS "${prefix}/share/doc/libwireframe-extraction-dev/copyright")
+    message(FATAL_ERROR "${package} has no file copyright")
+  endif()
+  if(has_tool)
+    file(GLOB package "${work_folder}/packages/extract-wireframe_${version}_*.deb")
+    run_or_fail("${dpkg_deb}" -x "${package}" "${work_folder}/tool")
+    foreach(file IN ITEMS share/man/man1/extract_wireframe.1.gz share/doc/extract-wireframe/changelog.gz)
+      if(NOT EXISTS "${work_folder}/tool/usr/${file}")
+        message(FATAL_ERROR "${package} has no file ${file}")
+      endif()
+    endforeach()
+    execute_process(COMMAND "${work_folder}/tool/usr/bin/extract_wireframe" --version
+      OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
+    string(FIND "${said}" "${version}" position)
+    if(position EQUAL -1)
+      message(FATAL_ERROR "the packed tool has another version than ${version}: ${said}")
+    endif()
+  endif()
+else()
+  run_or_fail("${CMAKE_COMMAND}" --install "${binary_folder}" ${configuration_arguments}
+    --component Development --prefix "${prefix}")
+endif()
 run_or_fail("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}" -B "${consumer_folder}" -G "${generator}"
   "-DCMAKE_CXX_COMPILER=${compiler}"
   "-DCMAKE_BUILD_TYPE=${configuration}"
@@ -43,8 +83,13 @@ run_or_fail("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}" -B "${consumer_fol
   "-Dexpects_hdf5=${expects_hdf5}"
   "-DCMAKE_DISABLE_FIND_PACKAGE_ZLIB=${has_no_zlib}"
   "-Dexpects_zlib=${expects_zlib}"
+  "-Dexpects_qt=${expects_qt}"
   "-Dexpected_version=${version}")
-run_or_fail("${CMAKE_COMMAND}" --build "${consumer_folder}" ${configuration_arguments})
+set(targets)
+if(cpack) # the other programs would tell nothing new
+  set(targets --target consumer)
+endif()
+run_or_fail("${CMAKE_COMMAND}" --build "${consumer_folder}" ${configuration_arguments} ${targets})
 
 # Found was what was just installed, not another copy somewhere else.
 file(STRINGS "${consumer_folder}/CMakeCache.txt" found REGEX "^Wireframe_extraction_DIR:")
@@ -60,6 +105,9 @@ if(NOT number_of_programs EQUAL 1)
   message(FATAL_ERROR "expected one program, found: ${programs}")
 endif()
 run_or_fail(${programs})
+if(cpack)
+  return()
+endif()
 file(GLOB_RECURSE programs "${work_folder}/bin/input_consumer*")
 list(FILTER programs INCLUDE REGEX "input_consumer(\\.exe)?$")
 run_or_fail(${programs})

@@ -9,7 +9,6 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-
 #ifndef CGAL_WIREFRAME_EXTRACTION_SPLINE_CURVE_3_H
 #define CGAL_WIREFRAME_EXTRACTION_SPLINE_CURVE_3_H
 

@@ -33,8 +33,10 @@ enum class Wireframe_curve_type
   ELLIPTIC_ARC  ///< an arc of an ellipse
 };
 
-/// returns whether curves of this kind have a `Wireframe_curve::conic`.
 /// \ingroup PkgWireframeExtractionClasses
+/// returns whether curves of this kind have a `Wireframe_curve::conic`. Constant time.
+///
+/// \param type the kind
 inline bool is_conic(Wireframe_curve_type type)
 {
   return type != Wireframe_curve_type::BSPLINE && type != Wireframe_curve_type::LINE;
@@ -47,6 +49,7 @@ inline bool is_conic(Wireframe_curve_type type)
 template <class GeomTraits>
 struct Wireframe_curve_uncertainty
 {
+  typedef GeomTraits Geom_traits;       ///< the traits class
   typedef typename GeomTraits::FT FT;   ///< the number type
 
   FT position = FT(0);       ///< of the center, or of the middle of a line, in the cloud's unit

@@ -15,6 +15,7 @@
 #include <CGAL/Wireframe_extraction/Spline_curve_3.h>
 #include <CGAL/Wireframe_extraction/internal/spline_basis.h>
 
+#include <CGAL/number_type_config.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>

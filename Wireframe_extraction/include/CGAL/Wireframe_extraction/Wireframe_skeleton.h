@@ -16,6 +16,7 @@
 #include <CGAL/Wireframe_extraction/internal/Field_band.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/number_utils.h>
 
 #include <cstddef>
 #include <memory>

@@ -17,6 +17,9 @@
 #include <CGAL/Wireframe_extraction/internal/subdivide_network.h>
 #include <CGAL/Wireframe_extraction/internal/trace_network.h>
 
+#include <CGAL/assertions.h>
+#include <CGAL/number_utils.h>
+
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -137,8 +140,8 @@ builds the topological graph of a wireframe: polylines that end in corners.
   field replace the polylines, and their ends are joined in the same way once more. The corners handed over only matter
   in that their points are no seeds.
 - `Graph_method::SUBDIVIDED`: every cluster gets a polyline between its two ends, or a triangle if it is a cycle, which
-  is subdivided at the point that disagrees most with it while that exceeds `split_threshold` (eq. 2 of Matveev et al.
-  2021); ends join the nearest corner.
+  is subdivided at the point that disagrees most with it while that exceeds `split_threshold` (eq. 2 of
+  \cgalCite{MAZB21}); ends join the nearest corner.
 
 \tparam GeomTraits a model of `WireframeExtractionTraits_3`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -171,7 +174,38 @@ builds the topological graph of a wireframe: polylines that end in corners.
   \cgalParamNBegin{minimum_evidence}
     \cgalParamDescription{the number of points that must be explained by a curve, and by no other one}
     \cgalParamType{`double`}
-    \cgalParamDefault{2, and 0.7 per r of its length}
+    \cgalParamDefault{2}
+    \cgalParamExtra{For each r of its length, a curve has to explain 0.35 times as many more.}
+  \cgalParamNEnd
+  \cgalParamNBegin{fitting_radius}
+    \cgalParamDescription{the radius of the balls in which local curves are fitted on the way, for `TRACED`, in multiples of r}
+    \cgalParamType{`double`}
+    \cgalParamDefault{4}
+  \cgalParamNEnd
+  \cgalParamNBegin{connection_radius}
+    \cgalParamDescription{the distance below which points of a cluster are connected, for `SUBDIVIDED`, in multiples of r}
+    \cgalParamType{`double`}
+    \cgalParamDefault{3}
+  \cgalParamNEnd
+  \cgalParamNBegin{support_distance}
+    \cgalParamDescription{how far from the curves points may lie that splines are fitted to, for `TRACED`, in multiples of r}
+    \cgalParamType{`double`}
+    \cgalParamDefault{3}
+  \cgalParamNEnd
+  \cgalParamNBegin{use_robust_loss}
+    \cgalParamDescription{whether residuals well above the noise level lose influence on these splines}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{move_corners}
+    \cgalParamDescription{whether corners move to where these splines meet}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{adapt_knots}
+    \cgalParamDescription{whether knots of these splines are placed by residual}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{end_detection}
     \cgalParamDescription{which points of a cluster are its ends, for `SUBDIVIDED`}

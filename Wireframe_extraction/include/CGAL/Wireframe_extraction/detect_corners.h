@@ -37,6 +37,8 @@ namespace CGAL {
 template <class GeomTraits>
 struct Wireframe_corner
 {
+  typedef GeomTraits Geom_traits;        ///< the traits class
+
   typename GeomTraits::Point_3 center;   ///< where the corner is
   typename GeomTraits::FT radius;        ///< how far from the center the corner's points lie, in the cloud's unit
   std::vector<std::size_t> members;      ///< the points of the skeleton that belong to it, in ascending order
@@ -160,7 +162,7 @@ detects where curves meet. Two measures are at hand:
   residual after `contract_skeleton()` exceeds `corner_residual`;
 - `Corner_measure::VARIANCE`: `corner_sampling_ratio` of the points, chosen by farthest point sampling, are centers of
   balls of radius `corner_radius`; those whose second explained variance ratio exceeds `corner_variance` hold a corner,
-  and what the bounding box of connected ones takes belongs to it (eq. 1 of Matveev et al. 2021).
+  and what the bounding box of connected ones takes belongs to it (eq. 1 of \cgalCite{MAZB21}).
 
 \tparam GeomTraits a model of `WireframeExtractionTraits_3`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

@@ -149,7 +149,7 @@ Wireframe<GeomTraits> fit(const Wireframe_skeleton<GeomTraits>& skeleton,
 \ingroup PkgWireframeExtractionFunctions
 
 fits one cubic B-spline to every path of the topological graph, all at once: the sum over the points near the curves of
-rho(d_j - |p_j - gamma(u_j)|) is minimized (eq. 3 of Matveev et al. 2021, with a robust loss) over the control points by
+rho(d_j - |p_j - gamma(u_j)|) is minimized (eq. 3 of \cgalCite{MAZB21}, with a robust loss) over the control points by
 Ceres with analytic derivatives. The curves that meet in a corner share it as a parameter, so that it moves to where
 they meet; closed curves without corner are periodic, so that position and tangent agree where they close. Between the
 rounds, the feet of the points are found anew, and knots are added where residuals ask for them. Changes of curvature
@@ -167,6 +167,11 @@ along a spline cost the more the noisier the field is, so that splines do not fo
                           `select_skeleton()` kept}
     \cgalParamType{`double`}
     \cgalParamDefault{3}
+  \cgalParamNEnd
+  \cgalParamNBegin{noise_level}
+    \cgalParamDescription{the noise level of the field, in multiples of r, at most 1}
+    \cgalParamType{`double`}
+    \cgalParamDefault{what `contract_skeleton()` or `refine_field()` found; 0.1 if the skeleton is not contracted}
   \cgalParamNEnd
   \cgalParamNBegin{use_robust_loss}
     \cgalParamDescription{whether residuals well above the noise level lose influence}

@@ -40,7 +40,7 @@ namespace Wireframe_extraction {
 ///
 /// \tparam Point a type with the member functions `x()`, `y()` and `z()`
 /// \tparam FT a model of `FieldNumberType`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param patches the patches
 /// \param cloud the points and their distances. What it held before is replaced; it is left as it was on failure.

@@ -16,11 +16,14 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#ifndef DOXYGEN_RUNNING // the manual lists a parameter at each function that takes it
 #define CGAL_WIREFRAME_NP_LIST <CGAL/Wireframe_extraction/internal/parameters_interface.h>
+#endif
 
 namespace CGAL {
 namespace Wireframe_extraction {
 
+#ifndef DOXYGEN_RUNNING
 namespace internal_np {
 
 using namespace CGAL::internal_np;
@@ -31,7 +34,6 @@ using namespace CGAL::internal_np;
 
 } // namespace internal_np
 
-/// \cond SKIP_IN_MANUAL
 // CGAL's list of named parameters is baked into its class; this one adds ours on top of it.
 template <class T, class Tag, class Base = CGAL::internal_np::No_property>
 struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
@@ -48,10 +50,11 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 #include CGAL_WIREFRAME_NP_LIST
 #undef CGAL_add_named_parameter
 };
-/// \endcond
+#endif // DOXYGEN_RUNNING
 
 namespace parameters {
 
+#ifndef DOXYGEN_RUNNING
 using namespace CGAL::parameters;
 
 #define CGAL_add_named_parameter(X, Y, Z)       \
@@ -59,9 +62,10 @@ using namespace CGAL::parameters;
   Named_parameters<K, internal_np::X> Z(const K& k) { return {k}; }
 #include CGAL_WIREFRAME_NP_LIST
 #undef CGAL_add_named_parameter
+#endif
 
 /// \ingroup PkgWireframeExtractionParameters
-/// returns the parameters that give the published method (Matveev et al. 2021, with the connection radius of 3 r of the
+/// returns the parameters that give the published method (\cgalCite{MAZB21}, with the connection radius of 3 r of the
 /// code the authors published), to compare with. Further parameters can be appended.
 inline auto paper_defaults()
 {

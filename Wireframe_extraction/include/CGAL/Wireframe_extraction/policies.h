@@ -20,7 +20,7 @@ namespace Wireframe_extraction {
 enum class Corner_measure
 {
   FIELD_RESIDUAL,  ///< how badly a single curve explains the distance field around a point
-  VARIANCE         ///< the second explained variance ratio of the points in a ball (eq. 1 of Matveev et al. 2021)
+  VARIANCE         ///< the second explained variance ratio of the points in a ball (eq. 1 of \cgalCite{MAZB21})
 };
 
 /// \ingroup PkgWireframeExtractionParameters
@@ -28,7 +28,7 @@ enum class Corner_measure
 enum class Graph_method
 {
   TRACED,     ///< curves are traced through the field and joined where their ends meet
-  SUBDIVIDED  ///< a polyline per cluster is subdivided (eq. 2 of Matveev et al. 2021) and joined to the nearest corners
+  SUBDIVIDED  ///< a polyline per cluster is subdivided (eq. 2 of \cgalCite{MAZB21}) and joined to the nearest corners
 };
 
 /// \ingroup PkgWireframeExtractionParameters
@@ -51,12 +51,12 @@ enum class Patch_fusion
 /// What one unit of the coordinates is, for formats that say so. Coordinates are never converted.
 enum class Length_unit
 {
-  MICROMETER,
-  MILLIMETER,
-  CENTIMETER,
-  METER,
-  INCH,
-  FOOT
+  MICROMETER,  ///< 0.001 mm
+  MILLIMETER,  ///< 1 mm
+  CENTIMETER,  ///< 10 mm
+  METER,       ///< 1000 mm
+  INCH,        ///< 25.4 mm
+  FOOT         ///< 304.8 mm
 };
 
 /// \ingroup PkgWireframeExtractionParameters

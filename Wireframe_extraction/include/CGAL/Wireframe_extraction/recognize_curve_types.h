@@ -20,6 +20,7 @@
 #include <CGAL/Wireframe_extraction/internal/Typed_curve_maker.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
+#include <CGAL/number_type_config.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -161,7 +162,7 @@ which the stations are not less likely than `type_significance`: the sum of thei
 that the noise level of the field implies, follows a chi-square distribution if the curve is the true one. Single residuals
 count as four standard deviations at most, and two stations as one independent observation, since neighbors share errors of
 the field. A curve that is none of them is cut: dynamic programming finds the lines and arcs, and the splines between them, of
-least Bayesian information criterion (Schwarz 1978), so that a slot becomes two lines and two arcs. Three arcs of circles in a
+least Bayesian information criterion \cgalCite{Sch78}, so that a slot becomes two lines and two arcs. Three arcs of circles in a
 row are no evidence of arcs, for any smooth curve can be approximated so, and with fewer than three stations nothing is
 recognized: such curves stay splines.
 
@@ -209,7 +210,7 @@ all their curves, and where a cut joins a line and an arc, or two arcs, their ta
   \cgalParamNBegin{noise_level}
     \cgalParamDescription{the standard deviation of the distances, in multiples of r}
     \cgalParamType{`double`}
-    \cgalParamDefault{what `contract_skeleton()` found}
+    \cgalParamDefault{what `contract_skeleton()` or `refine_field()` found}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 

@@ -8,6 +8,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Wireframe_extraction authors
+
 #ifndef CGAL_WIREFRAME_EXTRACTION_REFINE_FIELD_H
 #define CGAL_WIREFRAME_EXTRACTION_REFINE_FIELD_H
 
@@ -18,6 +19,7 @@
 #include <CGAL/Wireframe_extraction/select_skeleton.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -80,8 +82,29 @@ Fields with a noise level below 0.03 r are left as they are, and so is a skeleto
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param skeleton what `select_skeleton()` returns. \pre `skeleton.is_contracted()`, unless it is empty
-\param np an optional sequence of named parameters: `skeleton_distance`, `support_distance`, `fitting_radius` and
-  `noise_level`, as for `select_skeleton()` and `contract_skeleton()`
+\param np an optional sequence of named parameters:
+\cgalNamedParamsBegin
+  \cgalParamNBegin{skeleton_distance}
+    \cgalParamDescription{the threshold below which a point belongs to the new skeleton, in multiples of r}
+    \cgalParamType{`double`}
+    \cgalParamDefault{1.5}
+  \cgalParamNEnd
+  \cgalParamNBegin{support_distance}
+    \cgalParamDescription{the threshold below which a point supports the fits, in multiples of r}
+    \cgalParamType{`double`}
+    \cgalParamDefault{3}
+  \cgalParamNEnd
+  \cgalParamNBegin{fitting_radius}
+    \cgalParamDescription{the radius of the balls that the fits take their points from, in multiples of r}
+    \cgalParamType{`double`}
+    \cgalParamDefault{4}
+  \cgalParamNEnd
+  \cgalParamNBegin{noise_level}
+    \cgalParamDescription{the noise level of the new field, in multiples of r, at most 1}
+    \cgalParamType{`double`}
+    \cgalParamDefault{the median of the residuals, or the typical deviation of the creases if that is larger}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
 
 Complexity: O(n (log n + k)) for n points around the skeleton with k neighbors each; the fits are made in parallel if
 TBB is linked, with the same result.

@@ -14,12 +14,16 @@
 
 #include <CGAL/Wireframe_extraction/detect_corners.h>
 
+#include <CGAL/assertions.h>
+#include <CGAL/number_type_config.h>
+
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/connected_components.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -17,12 +17,16 @@
 #include <CGAL/Wireframe_extraction/internal/cloud_access.h>
 #include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <tuple>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -195,6 +199,12 @@ points below `support_distance`, which later stages fit to.
     \cgalParamDescription{the threshold below which a point supports the fits, in multiples of r}
     \cgalParamType{`double`}
     \cgalParamDefault{3}
+  \cgalParamNEnd
+  \cgalParamNBegin{fitting_radius}
+    \cgalParamDescription{the radius of the balls in which later stages fit, in multiples of r; points within twice as much of the
+                          skeleton are kept for `refine_field()`}
+    \cgalParamType{`double`}
+    \cgalParamDefault{4}
   \cgalParamNEnd
   \cgalParamNBegin{use_creases}
     \cgalParamDescription{whether the points around the skeleton are kept for `refine_field()`, which otherwise does

@@ -160,11 +160,11 @@ bool read_distance_cloud_of_files(const std::string& filename, const std::string
 /// comes from strangers is better read as `.npz`.
 ///
 /// Decimals are written with a point whatever the locale. Coordinates and distances have to be finite and the
-/// distances not negative, else the file is refused, or the points left out with `skip_invalid()`.
+/// distances not negative, else the file is refused, or the points left out with `skip_invalid`.
 ///
 /// \tparam Point a type constructible from three `double` coordinates
 /// \tparam FT a number type constructible from `double`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param filename the name of the file
 /// \param cloud the points and their distances, in the order of the file. What it held before is replaced;
@@ -234,7 +234,7 @@ bool read_distance_cloud(const std::string& filename, std::vector<std::pair<Poin
 ///
 /// \tparam Point a type constructible from three `double` coordinates
 /// \tparam FT a number type constructible from `double`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param filename the name of the file of the cloud
 /// \param distances_filename the name of the file of the distances

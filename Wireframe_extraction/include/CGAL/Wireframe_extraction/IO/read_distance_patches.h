@@ -59,7 +59,7 @@ struct Patch_sink
 /// \tparam FilenameRange a range of file names, convertible to `std::string`
 /// \tparam Point a type constructible from three `double` coordinates
 /// \tparam FT a number type constructible from `double`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param filenames the names of the files
 /// \param patches one patch per file, in the order of the names, even if a file holds several patches, which makes no

@@ -346,7 +346,7 @@ private:
 /// A curve may lack `weights`, `rms`, `max` and `support`, and if it is closed, `source` and `target`.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param stream the stream
 /// \param wireframe the wireframe. What it held before is replaced; it is left as it was if reading fails.
@@ -384,7 +384,7 @@ bool read_wireframe_json(std::istream& stream, CGAL::Wireframe<GeomTraits>& wire
 /// What is read and checked is that of the overload for a stream.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param filename the name of the file
 /// \param wireframe the wireframe. What it held before is replaced; it is left as it was if reading fails.

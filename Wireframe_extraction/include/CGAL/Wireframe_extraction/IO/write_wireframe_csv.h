@@ -170,7 +170,7 @@ bool write_csv(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
 /// The table does not hold the shape of B-splines, nor the positions of the vertices.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param stream the stream
 /// \param wireframe the wireframe
@@ -211,7 +211,7 @@ bool write_wireframe_csv(std::ostream& stream, const CGAL::Wireframe<GeomTraits>
 /// nothing else is left behind.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param filename the name of the file
 /// \param wireframe the wireframe

@@ -21,6 +21,7 @@
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
+#include <CGAL/number_type_config.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
@@ -212,7 +213,7 @@ bool write_dxf(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
 /// curve, and the sampling distance.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param stream the stream
 /// \param wireframe the wireframe
@@ -259,7 +260,7 @@ bool write_wireframe_dxf(std::ostream& stream, const CGAL::Wireframe<GeomTraits>
 /// nothing else is left behind.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param filename the name of the file
 /// \param wireframe the wireframe

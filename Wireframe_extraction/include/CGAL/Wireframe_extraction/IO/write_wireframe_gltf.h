@@ -23,6 +23,8 @@
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,22 +37,6 @@
 namespace CGAL {
 namespace IO {
 namespace internal {
-
-inline std::string to_base64(const std::string& bytes)
-{
-  const char* const digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve(bytes.size() / 3 * 4 + 4);
-  for(std::size_t i = 0; i < bytes.size(); i += 3)
-  {
-    std::uint32_t bits = 0;
-    for(std::size_t j = 0; j < 3; ++j)
-      bits = (bits << 8) | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0u);
-    for(std::size_t j = 0; j < 4; ++j)
-      text += (i + j > bytes.size()) ? '=' : digits[(bits >> (18 - 6 * j)) & 63u];
-  }
-  return text;
-}
 
 // The scene of a glTF file: a node per curve, below one that has the place and the unit.
 class Gltf_scene
@@ -256,7 +242,7 @@ bool write_gltf(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
 /// join, and the sampling distance.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param stream the stream
 /// \param wireframe the wireframe
@@ -322,7 +308,7 @@ bool write_wireframe_gltf(std::ostream& stream, const CGAL::Wireframe<GeomTraits
 /// coordinates in base64.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param filename the name of the file
 /// \param wireframe the wireframe

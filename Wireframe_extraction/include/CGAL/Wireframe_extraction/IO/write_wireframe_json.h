@@ -137,7 +137,7 @@ bool write_json(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
 /// object `uncertainty` with `position`, `direction` and, if there are any, `radii`.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param stream the stream
 /// \param wireframe the wireframe
@@ -179,7 +179,7 @@ bool write_wireframe_json(std::ostream& stream, const CGAL::Wireframe<GeomTraits
 /// nothing else is left behind.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param filename the name of the file
 /// \param wireframe the wireframe

@@ -173,7 +173,7 @@ bool write_obj(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
 /// supports a curve, the sampling distance, and the unit.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param stream the stream
 /// \param wireframe the wireframe
@@ -228,7 +228,7 @@ bool write_wireframe_obj(std::ostream& stream, const CGAL::Wireframe<GeomTraits>
 /// nothing else is left behind.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param filename the name of the file
 /// \param wireframe the wireframe

@@ -100,7 +100,7 @@ bool write_ply(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
 /// Curves that share a vertex share its point. A stream for the binary mode has to be opened in binary mode.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param stream the stream
 /// \param wireframe the wireframe
@@ -154,7 +154,7 @@ bool write_wireframe_ply(std::ostream& stream, const CGAL::Wireframe<GeomTraits>
 /// nothing else is left behind.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param filename the name of the file
 /// \param wireframe the wireframe

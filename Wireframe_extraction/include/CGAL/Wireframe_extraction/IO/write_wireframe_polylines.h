@@ -55,7 +55,7 @@ bool write_polylines(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wiref
 /// starts with.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param stream the stream
 /// \param wireframe the wireframe
@@ -104,7 +104,7 @@ bool write_wireframe_polylines(std::ostream& stream, const CGAL::Wireframe<GeomT
 /// nothing else is left behind.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param filename the name of the file
 /// \param wireframe the wireframe

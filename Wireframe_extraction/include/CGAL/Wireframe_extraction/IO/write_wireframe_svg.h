@@ -14,6 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/IO/internal/Sampled_wireframe.h>
 #include <CGAL/Wireframe_extraction/IO/internal/curve_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/drawing_views.h>
 #include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/text_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/unit_tools.h>
@@ -33,14 +34,11 @@ namespace CGAL {
 namespace IO {
 namespace internal {
 
-// A direction of view, given by the directions to the right and upwards on the page.
-struct Svg_view
+// A view and its place.
+struct Svg_view : Drawing_view
 {
-  const char* id;
-  const char* title;
-  Spline_vector right, up;
-  double width, height;   // of what is seen
-  double left, top;       // on the page, in pixels
+  double width = 0., height = 0.;   // of what is seen
+  double left = 0., top = 0.;       // on the page, in pixels
 };
 
 // The four views of a drawing, all at one scale.
@@ -49,11 +47,8 @@ class Svg_drawing
 public:
   explicit Svg_drawing(const Sampled_wireframe& sampled) : sampled_(sampled)
   {
-    const double a = std::sqrt(1. / 2.), b = std::sqrt(1. / 6.);
-    views_ = { { { "top", "Top (x, y)", { 1., 0., 0. }, { 0., 1., 0. }, 0., 0., 0., 0. },
-                 { "isometric", "Isometric", { a, a, 0. }, { -b, b, 2. * b }, 0., 0., 0., 0. },
-                 { "front", "Front (x, z)", { 1., 0., 0. }, { 0., 0., 1. }, 0., 0., 0., 0. },
-                 { "right", "Right (y, z)", { 0., 1., 0. }, { 0., 0., 1. }, 0., 0., 0., 0. } } };
+    for(std::size_t i = 0; i < views_.size(); ++i)
+      static_cast<Drawing_view&>(views_[i]) = drawing_views()[i];
     find_extent();
     arrange();
   }
@@ -193,14 +188,6 @@ private:
 
   static std::string pixels(double value) { return number_to_string(std::round(1000. * value) / 1000.); }
 
-  static std::string hexadecimal(const Colour& colour)
-  {
-    std::string text = "#";
-    for(const int channel : { colour.red, colour.green, colour.blue })
-      text += std::string(1, "0123456789abcdef"[channel / 16]) + "0123456789abcdef"[channel % 16];
-    return text;
-  }
-
   const Sampled_wireframe& sampled_;
   std::array<Svg_view, 4> views_;
   Coordinates low_ = { { 0., 0., 0. } }, high_ = { { 0., 0., 0. } };
@@ -242,7 +229,7 @@ bool write_svg(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
 /// 1000 pixels.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param stream the stream
 /// \param wireframe the wireframe
@@ -296,7 +283,7 @@ bool write_wireframe_svg(std::ostream& stream, const CGAL::Wireframe<GeomTraits>
 /// nothing else is left behind.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
-/// \tparam NamedParameters a sequence of named parameters
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param filename the name of the file
 /// \param wireframe the wireframe

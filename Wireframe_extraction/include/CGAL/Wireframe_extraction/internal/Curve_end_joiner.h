@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_JOIN_CURVE_ENDS_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_JOIN_CURVE_ENDS_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_CURVE_END_JOINER_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CURVE_END_JOINER_H
 
 #include <CGAL/Wireframe_extraction/internal/Network_editor.h>
 #include <CGAL/Wireframe_extraction/internal/Tangency_resolver.h>
@@ -501,4 +501,4 @@ private:
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_JOIN_CURVE_ENDS_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_CURVE_END_JOINER_H

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_TRACE_CURVE_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TRACE_CURVE_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_CURVE_TRACER_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CURVE_TRACER_H
 
 #include <CGAL/Wireframe_extraction/internal/Local_curve.h>
 #include <CGAL/Wireframe_extraction/internal/Segment_grid.h>
@@ -316,4 +316,4 @@ private:
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_TRACE_CURVE_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_CURVE_TRACER_H

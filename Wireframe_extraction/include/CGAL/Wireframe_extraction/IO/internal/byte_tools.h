@@ -96,6 +96,23 @@ inline void append_little_endian(double value, std::string& bytes)
   append_little_endian(bits, bytes);
 }
 
+// the digits of RFC 4648, with padding
+inline std::string to_base64(const std::string& bytes)
+{
+  const char* const digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve(bytes.size() / 3 * 4 + 4);
+  for(std::size_t i = 0; i < bytes.size(); i += 3)
+  {
+    std::uint32_t bits = 0;
+    for(std::size_t j = 0; j < 3; ++j)
+      bits = (bits << 8) | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0u);
+    for(std::size_t j = 0; j < 4; ++j)
+      text += (i + j > bytes.size()) ? '=' : digits[(bits >> (18 - 6 * j)) & 63u];
+  }
+  return text;
+}
+
 } // namespace internal
 } // namespace IO
 } // namespace CGAL

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 namespace CGAL {
 namespace IO {
@@ -83,6 +84,15 @@ inline Colour colour_of(Wireframe_curve_type type)
   case Wireframe_curve_type::ELLIPTIC_ARC: return { 23, 162, 162 };
   default: return { 148, 60, 189 };
   }
+}
+
+// as HTML and SVG have it
+inline std::string hexadecimal(const Colour& colour)
+{
+  std::string text = "#";
+  for(const int channel : { colour.red, colour.green, colour.blue })
+    text += std::string(1, "0123456789abcdef"[channel / 16]) + "0123456789abcdef"[channel % 16];
+  return text;
 }
 
 inline const std::array<Wireframe_curve_type, 6>& all_curve_types()

@@ -1,0 +1,65 @@
+// Which points of the cloud are shown, and in which colours.
+
+#ifndef EXTRACT_WIREFRAME_CLOUD_H
+#define EXTRACT_WIREFRAME_CLOUD_H
+
+#include "extract_wireframe_input.h"
+
+#include <CGAL/Wireframe_extraction/IO/internal/curve_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe_tools.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace tool {
+
+inline CGAL::IO::internal::Coordinates
+coordinates_of(const CGAL::Exact_predicates_inexact_constructions_kernel::Point_3& point)
+{
+  return { { point.x(), point.y(), point.z() } };
+}
+
+// from a feature to far away from it: the cloud is pale where nothing is
+inline const std::array<CGAL::IO::internal::Colour, 5>& field_colours()
+{
+  static const std::array<CGAL::IO::internal::Colour, 5> colours = {
+    { { 53, 19, 107 }, { 47, 95, 174 }, { 79, 176, 179 }, { 181, 223, 174 }, { 241, 239, 207 } } };
+  return colours;
+}
+
+// what was read but is left out by --skip-invalid is not shown
+inline bool is_valid(const Cloud::value_type& sample)
+{
+  return CGAL::IO::internal::is_finite_point(coordinates_of(sample.first)) && std::isfinite(sample.second)
+         && sample.second >= 0.;
+}
+
+inline std::vector<std::size_t> indices_of_valid(const Cloud& cloud)
+{
+  std::vector<std::size_t> indices;
+  indices.reserve(cloud.size());
+  for(std::size_t i = 0; i < cloud.size(); ++i)
+    if(is_valid(cloud[i]))
+      indices.push_back(i);
+  return indices;
+}
+
+// Leaves at most that many, in a random order, so that the first ones are an even thinning of all. It is the same in
+// each run.
+inline void thin(std::vector<std::size_t>& indices, std::size_t most)
+{
+  std::mt19937_64 random;
+  const std::size_t count = (std::min)(indices.size(), most);
+  for(std::size_t i = 0; i < count; ++i)
+    std::swap(indices[i], indices[i + static_cast<std::size_t>(random() % (indices.size() - i))]);
+  indices.resize(count);
+}
+
+} // namespace tool
+
+#endif // EXTRACT_WIREFRAME_CLOUD_H
