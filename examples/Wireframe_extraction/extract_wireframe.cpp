@@ -164,14 +164,15 @@ public:
     limit_threads();
     Progress progress(!m_options.is_quiet && is_error_stream_terminal());
     progress.start("reading");
-    const Cloud cloud = read();
-    if(m_options.has_stages)
-      m_folder.remove_old_files();
-    progress.start("estimating the sampling distance");
+    const std::unique_ptr<Input_cloud> cloud = open();
     Stage_writer stages(m_folder);
-    const Wireframe wireframe = extract(cloud, progress, stages);
+    const Wireframe wireframe = extract(*cloud, progress, stages);
     throw_if(stages.error(), INTERNAL_ERROR);
+    throw_if(with_option_names(cloud->error_message()), BAD_INPUT);
     throw_if_failed(wireframe);
+    m_number_of_skipped = cloud->number_of_skipped();
+    if(!cloud->note().empty())
+      m_notes.push_back(cloud->note());
     const auto begin = Clock::now();
     m_outputs.write(wireframe);
     m_seconds.emplace_back("writing", seconds_since(begin));
@@ -207,19 +208,13 @@ private:
 #endif
   }
 
-  Cloud read()
+  std::unique_ptr<Input_cloud> open()
   {
     const auto begin = Clock::now();
-    Cloud cloud;
-    std::size_t number_of_points_of_patches = 0;
-    const std::string error =
-      read_input(m_options.input, cloud, m_number_of_skipped, number_of_points_of_patches);
-    if(!error.empty())
-      throw Error(BAD_INPUT, with_option_names(error));
-    if(m_options.input.are_patches)
-      m_notes.push_back("the patches have " + counted(number_of_points_of_patches, "point", "points")
-                        + ", which were fused to " + std::to_string(cloud.size()));
-    m_seconds.emplace_back("reading", seconds_since(begin));
+    std::string error;
+    std::unique_ptr<Input_cloud> cloud = open_input(m_options.input, error);
+    throw_if(with_option_names(error), BAD_INPUT);
+    m_seconds_of_opening = seconds_since(begin);
     return cloud;
   }
 
@@ -234,17 +229,26 @@ private:
   }
 
   // All parameters are given each time, so that the library is compiled for one pack of them.
-  Wireframe extract(const Cloud& cloud, Progress& progress, Stage_writer& stages)
+  Wireframe extract(Input_cloud& cloud, Progress& progress, Stage_writer& stages)
   {
     const Extraction_options& options = m_options.extraction;
     Visitor visitor(progress, stages);
-    const std::function<bool(double)> callback = [&progress, &stages](double share)
+    bool is_read = false;
+    const std::function<bool(double)> callback = [&, this](double share)
     {
+      if(!is_read) // the first call comes once the cloud is known to be usable
+      {
+        is_read = true;
+        if(m_options.has_stages)
+          m_folder.remove_old_files();
+        progress.start("estimating the sampling distance");
+      }
       progress.set(share);
       return stages.error().empty();
     };
-    return CGAL::extract_wireframe(cloud,
+    return CGAL::extract_wireframe_from_source<Kernel>(cloud,
       parameters::sampling_distance(m_options.sampling_distance)
+        .points_in_memory(static_cast<std::size_t>(m_options.points_in_memory))
         .noise_level(options.noise_level)
         .skeleton_distance(options.skeleton_distance)
         .support_distance(options.support_distance)
@@ -297,7 +301,8 @@ private:
 
   void summarize(const Wireframe& wireframe, const Stage_writer& stages)
   {
-    m_seconds.insert(m_seconds.end() - 1, m_report.seconds.begin(), m_report.seconds.end());
+    m_seconds.insert(m_seconds.begin(), m_report.seconds.begin(), m_report.seconds.end());
+    m_seconds.front().second += m_seconds_of_opening;
     std::vector<std::string> files = m_options.outputs;
     files.insert(files.end(), stages.written_files().begin(), stages.written_files().end());
     print_summary(std::cout, m_options, wireframe, m_report,
@@ -314,6 +319,7 @@ private:
   Stage_folder m_folder;
   Report m_report;
   std::size_t m_number_of_skipped = 0;
+  double m_seconds_of_opening = 0.;
   std::vector<std::pair<std::string, double> > m_seconds;
   std::vector<std::string> m_notes;
 #ifdef CGAL_LINKED_WITH_TBB
