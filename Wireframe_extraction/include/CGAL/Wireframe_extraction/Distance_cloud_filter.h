@@ -177,8 +177,7 @@ private:
     std::vector<std::size_t> inner;
     for (std::size_t i = 0; i < m_cloud.size(); ++i) {
       positions.push_back(access().position(m_cloud[i]));
-      if (!(m_bound < (std::numeric_limits<double>::infinity)())
-          || CGAL::to_double(m_cloud[i].second) < (m_width - reach_of_neighbors) * m_bound)
+      if (CGAL::to_double(m_cloud[i].second) <= (m_width - reach_of_neighbors) * m_bound)
         inner.push_back(i);
     }
     std::vector<std::size_t> queries = internal::spread_indices(inner.size());
