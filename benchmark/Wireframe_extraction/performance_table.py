@@ -31,8 +31,8 @@ def run(arguments):
         command = [arguments.program, f"--most_points={arguments.most_points}",
                    f"--least_points={arguments.least_points}", f"--benchmark_min_time={arguments.seconds}",
                    f"--benchmark_out={file}", "--benchmark_out_format=json"]
-        if arguments.shape:
-            command.append(f"--benchmark_filter=^({'|'.join(arguments.shape)})/")
+        command.append(f"--benchmark_filter=^({'|'.join(arguments.shape or ['[a-z_]+'])})"
+                       f"/({'|'.join(arguments.field or ['[a-z]+'])})/[0-9]+/[a-z_]+/[1-{arguments.threads}]/")
         try:
             code = subprocess.run(command, stdout=sys.stderr if arguments.verbose else subprocess.DEVNULL,
                                   check=False).returncode
@@ -85,6 +85,21 @@ def rows(measured):
                        one["peak_bytes"] / max(1, one["skeleton"]) if "peak_bytes" in one else None}
 
 
+def growth(table):
+    """Returns a table with a row for each shape and field."""
+    groups = collections.defaultdict(dict)
+    for row in table:
+        groups[row["shape"], row["field"]][row["stage"]] = row["exponent"]
+    lines = ["Exponent of the growth of CPU time with the number of points, one thread:", "",
+             "| Shape | Field | " + " | ".join(TITLES.get(s, s) for s in ["floor"] + STAGES) + " |",
+             "|---|---|" + "---:|" * (1 + len(STAGES))]
+    for group, exponents in groups.items():
+        if exponents["floor"] is not None:
+            lines.append("| " + " | ".join(group) + " | "
+                         + " | ".join(number(exponents[s]) for s in ["floor"] + STAGES) + " |")
+    return "\n".join(lines) + "\n" if len(lines) > 4 else ""
+
+
 def markdown(table, value, caption):
     """Returns a table with a row for each cloud and a column for each stage."""
     clouds = collections.defaultdict(dict)
@@ -106,6 +121,9 @@ def main():
     parser.add_argument("--most-points", type=int, default=1000000, metavar="N",
                         help="size of the largest clouds, up to 10000000 [%(default)s]")
     parser.add_argument("--shape", action="append", help="only this shape, as often as needed")
+    parser.add_argument("--field", action="append", choices=["exact", "def"], help="only this field")
+    parser.add_argument("--threads", type=int, default=2, choices=[1, 2],
+                        help="1 leaves out what is measured with two threads [%(default)s]")
     parser.add_argument("--seconds", type=float, default=0.5, help="least time for each figure [%(default)s]")
     parser.add_argument("--csv", type=pathlib.Path, metavar="FILE", help="where all figures go")
     parser.add_argument("--markdown", type=pathlib.Path, metavar="FILE", help="where the tables go, besides the screen")
@@ -113,11 +131,12 @@ def main():
     arguments = parser.parse_args()
     try:
         table = list(rows(run(arguments)))
-        text = "\n".join([
-            markdown(table, "ratio", "CPU time over that of the floor, one thread:"),
-            markdown(table, "exponent", "Exponent of the growth of CPU time with the number of points:"),
-            markdown(table, "speedup_with_2_threads", "Speed-up with two threads:"),
-            markdown(table, "peak_bytes_per_point", "Peak of memory, beyond what there was before, in bytes per point:")])
+        parts = [markdown(table, "ratio", "CPU time over that of the floor, one thread:"), growth(table),
+                 markdown(table, "peak_bytes_per_point",
+                          "Peak of memory, beyond what there was before, in bytes per point:")]
+        if arguments.threads > 1:
+            parts.append(markdown(table, "speedup_with_2_threads", "Speed-up with two threads:"))
+        text = "\n".join(part for part in parts if part)
         print(text)
         if arguments.markdown:
             arguments.markdown.write_text(text, encoding="utf-8")

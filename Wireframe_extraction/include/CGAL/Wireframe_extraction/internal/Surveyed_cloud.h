@@ -115,7 +115,7 @@ public:
   Cloud_scale scale() const
   {
     const std::vector<Density_candidate> queries = density_queries();
-    if (is_in_memory()) {
+    if (is_in_memory() && sample().size() <= least_to_scan) {
       std::vector<std::size_t> indices;
       for (const Density_candidate& query : queries)
         indices.push_back(query.index);
@@ -124,12 +124,26 @@ public:
     Neighbor_scan scan;
     for (const Density_candidate& query : queries)
       scan.add_query(query.position, query.distance);
-    scan.start(sample().positions, sample().distances);
+    if (is_in_memory())
+      start_with_few(scan);
+    else
+      scan.start(sample().positions, sample().distances);
     for_each([&scan](const Vector& position, double distance, std::size_t) { scan(position, distance); });
     return scan.scale();
   }
 
 private:
+  // from so many points on, looking at all of them is faster than a tree of all
+  static constexpr std::size_t least_to_scan = 65536;
+
+  void start_with_few(Neighbor_scan& scan) const
+  {
+    Position_sample few(sample().size() / 8);
+    sample().for_each([&few](const Vector& p, double distance, std::size_t index) { few.add(p, distance, index); });
+    few.thin_out();
+    scan.start(few.values().positions, few.values().distances);
+  }
+
   static bool is_finite(const Sample& s)
   {
     return std::isfinite(s.x) && std::isfinite(s.y) && std::isfinite(s.z) && std::isfinite(s.distance);
