@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Runs wireframe_extraction_benchmark and makes a table of ratios to the floor that is measured in the same run.
 
-The floor is what hardly any method can do without: reading the cloud, a kd-tree of the points that some stage uses, and
-a ball query around each point of the skeleton. Seconds depend on the machine and on what else it does; ratios hardly do.
+The floor is what hardly any method can do without: reading the cloud, a kd-tree of the points that some stage uses,
+and a ball query around each point of the skeleton. Seconds depend on the machine and on what else it does; ratios hardly do.
 """
 
 import argparse

@@ -1,5 +1,5 @@
-// Times, memory and growth of the extraction and its stages, beside those of a floor. See performance_table.py, which runs
-// this program and makes a table of ratios.
+// Times and memory of the extraction and its stages, beside those of a floor. See performance_table.py, which runs this
+// program and makes a table of ratios.
 
 #include <Wireframe_performance/Memory_meter.h>
 #include <Wireframe_performance/Pipeline.h>

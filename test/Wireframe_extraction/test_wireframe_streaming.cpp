@@ -1,4 +1,4 @@
-// Clouds that stay in their files, or that come point by point, give the same sampling distance and skeleton as in memory.
+// Clouds that stay in their files, or that come point by point, give the same skeleton as in memory.
 
 #include <CGAL/Wireframe_extraction/Distance_cloud_filter.h>
 #include <CGAL/Wireframe_extraction/IO/Distance_cloud_file.h>
@@ -49,8 +49,10 @@ Cloud cloud_of(const Sample_solids::Cloud& samples, bool is_single)
   const auto rounded = [is_single](double x) { return is_single ? double(float(x)) : x; };
   Cloud cloud;
   for (std::size_t i = 0; i < samples.points.size(); ++i)
-    cloud.emplace_back(Point(rounded(samples.points[i][0]), rounded(samples.points[i][1]), rounded(samples.points[i][2])),
-                       rounded(samples.distances[i]));
+  {
+    const Sample_solids::Point& p = samples.points[i];
+    cloud.emplace_back(Point(rounded(p[0]), rounded(p[1]), rounded(p[2])), rounded(samples.distances[i]));
+  }
   return cloud;
 }
 

@@ -95,8 +95,8 @@ class Streaming_test(unittest.TestCase):
         (self.folder / "short.xyz").write_text(text)
         data = (self.folder / "poisson.ply").read_bytes()
         (self.folder / "cut.ply").write_bytes(data[:len(data) // 2])
-        for name, word in (("negative.xyz", "point 7000 (counted from 0, line 7001)"), ("short.xyz", "short.xyz:7001: "),
-                           ("cut.ply", "truncated"), ("none.ply", "none.ply")):
+        for name, word in (("negative.xyz", "point 7000 (counted from 0, line 7001)"),
+                           ("short.xyz", "short.xyz:7001: "), ("cut.ply", "truncated"), ("none.ply", "none.ply")):
             message = self.run_tool(name, "-o", "bad.json", code=BAD_INPUT)
             self.assertEqual(self.run_tool(name, *STREAMED, "-o", "bad.json", code=BAD_INPUT), message)
             self.assertIn(word, message)

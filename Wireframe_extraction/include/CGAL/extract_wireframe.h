@@ -41,8 +41,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// Reads the cloud for the first time; returns false, with a message, if it cannot be read or has points that must not be
-// skipped.
+// Reads the cloud for the first time; returns false, with a message, if it cannot be read or has points that must not
+// be skipped.
 inline bool survey(Surveyed_cloud& cloud, bool skip_invalid, Wireframe_extraction_report& report)
 {
   const bool is_read = cloud.survey();
@@ -173,6 +173,13 @@ public:
     return !m_is_cancelled;
   }
 
+  // what is no stage is done
+  bool reach(double share)
+  {
+    m_begin = m_end = share;
+    return proceed(1.);
+  }
+
   template <class Stage>
   bool run(const char* name, double share_when_done, const Stage& stage)
   {
@@ -225,7 +232,7 @@ Wireframe<GeomTraits> extract(Distance_cloud_source& source, const GeomTraits& t
     return give_up(Report::Status::INVALID_INPUT);
   if (is_reading_timed)
     report.seconds.emplace_back("reading", timer.time());
-  if (!runner.proceed(0.))
+  if (!runner.reach(0.02))
     return give_up(Report::Status::CANCELLED);
   const auto is_unreadable = [&] {
     report.message = cloud->error();
@@ -442,8 +449,8 @@ is kept of it are `points_in_memory` points and those around the features. The r
 \return the wireframe. It is empty if the input is invalid, if there is no feature, or after cancelling; the report
 says which.
 
-Complexity: O(n log n) for n points. A cloud of more than `points_in_memory` points is read five times, four times without
-`use_creases`.
+Complexity: O(n log n) for n points. A cloud of more than `points_in_memory` points is read five times, four times
+without `use_creases`.
 */
 template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Wireframe<GeomTraits>

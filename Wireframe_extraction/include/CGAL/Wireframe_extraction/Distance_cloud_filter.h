@@ -30,20 +30,20 @@ namespace Wireframe_extraction {
 /*!
 \ingroup PkgWireframeExtractionClasses
 
-keeps of a cloud that comes once, point after point, what `extract_wireframe()` needs of it: the points near features, and
-the sampling distance. A cloud that can be read several times is better given to `extract_wireframe_from_source()`, which
-loses nothing.
+keeps of a cloud that comes once, point after point, what `extract_wireframe()` needs of it: the points near features,
+and the sampling distance. A cloud that can be read several times is better given to
+`extract_wireframe_from_source()`, which loses nothing.
 
-Points are kept whose distances are below `width()` times an upper bound of the sampling distance. The bound sinks while
-points come: whenever `points_in_memory` points, or twice what was kept last, are there, it becomes at most 1.5 times
-the sampling distance of those near features. So the order of the points does not matter, and a sorted scan is as good as a
-random one, unless the density varies by more than a factor of two; `is_complete()` tells. What is kept in the end are the
-points below `width()` times the sampling distance.
+Points are kept whose distances are below `width()` times an upper bound of the sampling distance. The bound sinks
+while points come: whenever `points_in_memory` points, or twice what was kept last, are there, it becomes at most 1.5
+times the sampling distance of those near features. So the order of the points does not matter, and a sorted scan is
+as good as a random one, unless the density varies by more than a factor of two; `is_complete()` tells. What is kept
+in the end are the points below `width()` times the sampling distance.
 
-The sampling distance is measured at up to 4096 of these points, from all their true neighbors, for Poisson-disk clouds and
-uniformly random ones alike. Where the cloud is evenly dense, it is within about two per cent of that of
-`extract_wireframe()`. What is lost are points near features whose distances say that they are far from any, up to which
-`extract_wireframe()` would look for the surface around the skeleton. With an exact field there are none.
+The sampling distance is measured at up to 4096 of these points, from all their true neighbors, for Poisson-disk
+clouds and uniformly random ones alike. Where the cloud is evenly dense, it is within about two per cent of that of
+`extract_wireframe()`. What is lost are points near features whose distances say that they are far from any, up to
+which `extract_wireframe()` would look for the surface around the skeleton. With an exact field there are none.
 
 \tparam Point the point type
 \tparam FT a number type
@@ -67,8 +67,8 @@ class Distance_cloud_filter
 
 public:
   /// constructs a filter for an extraction with the same parameters.
-  /// \param np an optional sequence of named parameters among `skeleton_distance`, `support_distance`, `fitting_radius`,
-  ///   and `points_in_memory`, the number of points up to which nothing is dropped (1048576)
+  /// \param np an optional sequence of named parameters among `skeleton_distance`, `support_distance`,
+  ///   `fitting_radius`, and `points_in_memory`, the number of points up to which nothing is dropped (1048576)
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Distance_cloud_filter(const NamedParameters& np = CGAL::parameters::default_values())
     : m_least_limit((std::max)(std::size_t(256), internal::points_in_memory(np))), m_limit(m_least_limit)
@@ -129,8 +129,8 @@ public:
     return m_sampling_distance;
   }
 
-  /// returns whether all points are there that are closer to features than `width()` times the sampling distance. If not,
-  /// the density of the cloud varies too much; raise `points_in_memory`.
+  /// returns whether all points are there that are closer to features than `width()` times the sampling distance. If
+  /// not, the density of the cloud varies too much; raise `points_in_memory`.
   bool is_complete()
   {
     update();

@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <fstream>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -56,8 +57,8 @@ public:
   /// makes the cloud, writes it into a file in this folder, and runs all stages.
   Pipeline(const Case& c, const std::string& folder) : m_case(c)
   {
-    m_filename = folder + "/wireframe_extraction_benchmark_" + c.shape + "_" + Sample_solids::name_of(c.field) + "_"
-      + std::to_string(c.points) + ".ply";
+    // several of these programs may run at once
+    m_filename = folder + "/wireframe_extraction_benchmark_" + std::to_string(std::random_device()()) + ".ply";
     {
       std::ofstream out(m_filename, std::ios::binary);
       if (!Sample_solids::write_ply(out, sample(c)))

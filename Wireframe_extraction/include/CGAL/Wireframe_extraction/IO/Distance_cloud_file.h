@@ -26,14 +26,12 @@ namespace IO {
 /*!
 \ingroup PkgWireframeExtractionIO
 
-A point cloud with a distance per point that stays in its file, for clouds that are larger than the memory. The formats, and
-what makes a file wrong, are those of `read_distance_cloud()`.
+A point cloud with a distance per point that stays in its file, for clouds that are larger than the memory. The
+formats, and what makes a file wrong, are those of `read_distance_cloud()`.
 
 Files in the formats PLY, text, PCD, OFF and HDF5 are read chunk by chunk. Arrays of `.npy` and `.npz` files, and
-distances in a file of their own, are in memory while the cloud is read. The file is opened anew each time, so it cannot be a
-pipe.
-
-\cgalModels{Distance_cloud_source}
+distances in a file of their own, are in memory while the cloud is read. The file is opened anew each time, so it
+cannot be a pipe.
 */
 class Distance_cloud_file : public Wireframe_extraction::Distance_cloud_source
 {

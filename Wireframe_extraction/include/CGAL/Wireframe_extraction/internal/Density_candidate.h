@@ -44,8 +44,8 @@ struct Density_candidate
   }
 };
 
-// Of sorted candidates the nearest to a rank whose distance no other position has, so that a moved cloud has the same; if
-// all similar distances are ambiguous, as those of a coarse field are, the one of this rank.
+// Of sorted candidates the nearest to a rank whose distance no other position has, so that a moved cloud has the same;
+// if all similar distances are ambiguous, as those of a coarse field are, the one of this rank.
 inline std::size_t nearest_clear_one(const std::vector<Density_candidate>& candidates, std::size_t rank)
 {
   const auto is_clear = [&](std::size_t i) {

@@ -16,6 +16,8 @@
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 
+#include <boost/iterator/counting_iterator.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -23,6 +25,7 @@
 #include <limits>
 #include <map>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -39,8 +39,8 @@ std::size_t points_in_memory(const NamedParameters& np)
     CGAL::parameters::get_parameter(np, internal_np::points_in_memory), std::size_t(1) << 20));
 }
 
-// A cloud of which what all stages ask is known after it was read once. A small one is then in memory; a large one stays
-// where it is, and is read again whenever all points are wanted. What it tells is the same either way.
+// A cloud of which what all stages ask is known after it was read once. A small one is then in memory; a large one
+// stays where it is, and is read again whenever all points are wanted. What it tells is the same either way.
 class Surveyed_cloud
 {
   typedef Distance_cloud_source::Sample Sample;
@@ -186,8 +186,8 @@ private:
       m_histogram->add(distance);
   }
 
-  // The points at which the density is measured. They are evenly spread over the ranks of the distances: the same points
-  // whatever the order of the cloud. Those at the largest value are left out, since a field is truncated there. The
+  // The points at which the density is measured. They are evenly spread over the ranks of the distances: the same
+  // points whatever the order of the cloud. Those at the largest value are left out, since a field is truncated there. The
   // indices are those of the sample, if it is in memory.
   std::vector<Density_candidate> density_queries() const
   {
