@@ -166,25 +166,41 @@ void check_outputs(const Arguments& a)
   }
 }
 
-void run(Arguments a)
+void print_counts(const Arguments& a, const Ground_truth& truth, std::size_t points)
 {
-  check(a);
-  const Solid solid = solid_for(a);
-  check_outputs(a);
-
-  Sampling_options options;
-  options.sampling_distance = a.sampling_distance;
-  options.sampling = a.sampling == "poisson" ? Sampling::POISSON : Sampling::UNIFORM;
-  options.scope = a.scope == "all" ? Field_scope::ALL : Field_scope::ADJACENT;
-  options.truncation = a.truncation;
-  options.seed = a.seed;
-  const Cloud exact = sample_exactly(solid, options);
-  Ground_truth truth = ground_truth(solid, a.sampling_distance);
-  scale(truth, a.scale);
-  std::cout << a.shape << ": " << exact.points.size() << " points, sampling distance "
+  std::cout << a.shape << ": " << points << " points, sampling distance "
             << truth.sampling_distance << ", " << truth.curves.size() << " curves (" << truth.segments.size()
             << " segments), " << truth.corners.size() << " corners\n";
+}
 
+/// writes a cloud of uniformly random points with an exact field, which is never in memory as a whole.
+std::size_t write_piece_by_piece(const Arguments& a, const Solid& solid, const Sampling_options& options,
+                                 const Ground_truth& truth)
+{
+  const std::size_t points = number_of_points(solid.area(), options.sampling_distance);
+  print_counts(a, truth, points);
+  const fs::path path = paths_of_clouds(a).front();
+  write(path, a.is_forced, [&](std::ostream& out)
+  {
+    write_ply_header(out, truth.sampling_distance, points);
+    return sample_uniformly(solid, options, [&](Cloud& piece)
+    {
+      scale(piece, a.scale);
+      return write_ply_points(out, piece);
+    }) && out.flush();
+  });
+  std::cout << "exact: RMSE 0 r, 0 % off by more than r: " << path.string() << '\n';
+  return points;
+}
+
+/// writes all clouds that are asked for, and returns how many points they have.
+std::size_t write_clouds(const Arguments& a, const Solid& solid, const Sampling_options& options,
+                         const Ground_truth& truth)
+{
+  if (options.sampling == Sampling::UNIFORM && a.fields == std::vector<std::string>{"exact"})
+    return write_piece_by_piece(a, solid, options, truth);
+  const Cloud exact = sample_exactly(solid, options);
+  print_counts(a, truth, exact.points.size());
   const std::vector<fs::path> paths = paths_of_clouds(a);
   for (std::size_t i = 0; i < paths.size(); ++i)
   {
@@ -197,10 +213,28 @@ void run(Arguments a)
     std::cout << std::setprecision(3) << a.fields[i] << ": RMSE " << statistics.root_mean_square << " r, "
               << 100. * statistics.share_off << " % off by more than r: " << paths[i].string() << '\n';
   }
+  return exact.points.size();
+}
+
+void run(Arguments a)
+{
+  check(a);
+  const Solid solid = solid_for(a);
+  check_outputs(a);
+
+  Sampling_options options;
+  options.sampling_distance = a.sampling_distance;
+  options.sampling = a.sampling == "poisson" ? Sampling::POISSON : Sampling::UNIFORM;
+  options.scope = a.scope == "all" ? Field_scope::ALL : Field_scope::ADJACENT;
+  options.truncation = a.truncation;
+  options.seed = a.seed;
+  Ground_truth truth = ground_truth(solid, a.sampling_distance);
+  scale(truth, a.scale);
+  const std::size_t points = write_clouds(a, solid, options, truth);
   if (!path_of_truth(a).empty())
     write(path_of_truth(a), a.is_forced, [&](std::ostream& out)
     {
-      return write_truth(out, truth, a.shape, exact.points.size());
+      return write_truth(out, truth, a.shape, points);
     });
 }
 
@@ -240,7 +274,8 @@ void add_options(CLI::App& app, Arguments& a)
     ->capture_default_str()->check(number_check(false));
   app.add_option("--points", a.points, "number of points; the sampling distance follows from it")
     ->excludes(r)->check(CLI::Range(std::size_t(50), most_points));
-  app.add_option("--sampling", a.sampling, "Poisson-disk or uniformly random points")
+  app.add_option("--sampling", a.sampling, "Poisson-disk or uniformly random points; uniform ones "
+                 "with an exact field only are written piece by piece, however many they are")
     ->capture_default_str()->check(CLI::IsMember({"poisson", "uniform"}));
   app.add_option("--field-scope", a.scope, "which sharp curves count: those of the point's own face and the "
                                            "faces adjacent to it, or all")

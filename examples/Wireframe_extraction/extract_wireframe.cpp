@@ -1,6 +1,7 @@
 // The command line tool: a cloud with distances in, its wireframe out. See extract_wireframe --help.
 
 #include "extract_wireframe_batch.h"
+#include "extract_wireframe_cloud.h"
 #include "extract_wireframe_error.h"
 #include "extract_wireframe_input.h"
 #include "extract_wireframe_options.h"
@@ -26,6 +27,9 @@
 #else
 #include <unistd.h>
 #endif
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_int_distribution.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -170,17 +174,20 @@ public:
     limit_threads();
     Progress progress(!m_options.is_quiet && is_error_stream_terminal());
     progress.start("reading");
-    const Cloud cloud = read();
-    if(m_options.has_stages)
-      m_folder.remove_old_files();
-    progress.start("estimating the sampling distance");
+    const std::unique_ptr<Input_cloud> cloud = open();
     Stage_recorder stages(m_folder, m_options.has_html);
-    const Wireframe wireframe = extract(cloud, progress, stages);
+    const Wireframe wireframe = extract(*cloud, progress, stages);
     throw_if(stages.error(), INTERNAL_ERROR);
+    throw_if(with_option_names(cloud->error_message()), BAD_INPUT);
     throw_if_failed(wireframe);
+    m_number_of_skipped = cloud->number_of_skipped();
+    if(!cloud->note().empty())
+      m_notes.push_back(cloud->note());
     const auto begin = Clock::now();
-    m_seconds.insert(m_seconds.end(), m_report.seconds.begin(), m_report.seconds.end());
-    m_outputs.write(wireframe, pictures(cloud, stages, wireframe));
+    m_seconds.insert(m_seconds.begin(), m_report.seconds.begin(), m_report.seconds.end());
+    m_seconds.front().second += m_seconds_of_opening;
+    const Cloud shown = m_options.has_html || m_options.has_png ? sample_of(*cloud) : Cloud();
+    m_outputs.write(wireframe, pictures(shown, stages, wireframe));
     m_seconds.emplace_back("writing", seconds_since(begin));
     progress.clear();
     m_number_of_curves = wireframe.curves.size();
@@ -228,20 +235,42 @@ private:
 #endif
   }
 
-  Cloud read()
+  std::unique_ptr<Input_cloud> open()
   {
     const auto begin = Clock::now();
-    Cloud cloud;
-    std::size_t number_of_points_of_patches = 0;
-    const std::string error =
-      read_input(m_options.input, cloud, m_number_of_skipped, number_of_points_of_patches);
-    if(!error.empty())
-      throw Error(BAD_INPUT, with_option_names(error));
-    if(m_options.input.are_patches)
-      m_notes.push_back("the patches have " + counted(number_of_points_of_patches, "point", "points")
-                        + ", which were fused to " + std::to_string(cloud.size()));
-    m_seconds.emplace_back("reading", seconds_since(begin));
+    std::string error;
+    std::unique_ptr<Input_cloud> cloud = open_input(m_options.input, error);
+    throw_if(with_option_names(error), BAD_INPUT);
+    m_seconds_of_opening = seconds_since(begin);
     return cloud;
+  }
+
+  // as many points as pictures show: of more, evenly many from everywhere
+  Cloud sample_of(Input_cloud& cloud) const
+  {
+    constexpr std::size_t most = 1000000;
+    Cloud result;
+    std::size_t seen = 0;
+    boost::random::mt19937_64 random(1);
+    const bool is_read = cloud.read([&](const Input_cloud::Sample* first, const Input_cloud::Sample* beyond)
+    {
+      for(; first != beyond; ++first, ++seen)
+      {
+        const Cloud::value_type value(Kernel::Point_3(first->x, first->y, first->z), first->distance);
+        if(result.size() < most)
+          result.push_back(value);
+        else
+        {
+          const std::size_t place = boost::random::uniform_int_distribution<std::size_t>(0, seen)(random);
+          if(place < most)
+            result[place] = value;
+        }
+      }
+      return true;
+    });
+    if(!is_read)
+      throw Error(BAD_INPUT, with_option_names(cloud.error_message()));
+    return result;
   }
 
   // the name of a file, with which messages begin, stays as it is
@@ -255,17 +284,26 @@ private:
   }
 
   // All parameters are given each time, so that the library is compiled for one pack of them.
-  Wireframe extract(const Cloud& cloud, Progress& progress, Stage_recorder& stages)
+  Wireframe extract(Input_cloud& cloud, Progress& progress, Stage_recorder& stages)
   {
     const Extraction_options& options = m_options.extraction;
     Visitor visitor(progress, stages);
-    const std::function<bool(double)> callback = [&progress, &stages](double share)
+    bool is_read = false;
+    const std::function<bool(double)> callback = [&, this](double share)
     {
+      if(!is_read) // the first call comes once the cloud is known to be usable
+      {
+        is_read = true;
+        if(m_options.has_stages)
+          m_folder.remove_old_files();
+        progress.start("estimating the sampling distance");
+      }
       progress.set(share);
       return stages.error().empty();
     };
-    return CGAL::extract_wireframe(cloud,
+    return CGAL::extract_wireframe_from_source<Kernel>(cloud,
       parameters::sampling_distance(m_options.sampling_distance)
+        .points_in_memory(static_cast<std::size_t>(m_options.points_in_memory))
         .noise_level(options.noise_level)
         .skeleton_distance(options.skeleton_distance)
         .support_distance(options.support_distance)
@@ -382,6 +420,7 @@ private:
   Stage_folder m_folder;
   Report m_report;
   std::size_t m_number_of_skipped = 0, m_number_of_curves = 0;
+  double m_seconds_of_opening = 0.;
   std::vector<std::pair<std::string, double> > m_seconds;
   std::vector<std::string> m_notes;
 #ifdef CGAL_LINKED_WITH_TBB

@@ -3,10 +3,10 @@
 #ifndef EXTRACT_WIREFRAME_CLOUD_H
 #define EXTRACT_WIREFRAME_CLOUD_H
 
-#include "extract_wireframe_input.h"
-
 #include <CGAL/Wireframe_extraction/IO/internal/curve_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe_tools.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +17,8 @@
 #include <vector>
 
 namespace tool {
+
+typedef std::vector<std::pair<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3, double> > Cloud;
 
 inline CGAL::IO::internal::Coordinates
 coordinates_of(const CGAL::Exact_predicates_inexact_constructions_kernel::Point_3& point)

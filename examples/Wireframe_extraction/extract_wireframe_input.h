@@ -3,18 +3,15 @@
 #ifndef EXTRACT_WIREFRAME_INPUT_H
 #define EXTRACT_WIREFRAME_INPUT_H
 
+#include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
 #include <CGAL/Wireframe_extraction/policies.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include <cstddef>
+#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace tool {
-
-typedef std::vector<std::pair<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3, double> > Cloud;
 
 // what is to be read, and how
 struct Input
@@ -27,9 +24,18 @@ struct Input
   CGAL::Wireframe_extraction::Patch_fusion fusion = CGAL::Wireframe_extraction::Patch_fusion::MINIMUM;
 };
 
-// Reads a cloud, or patches of one. Returns what went wrong, nothing if all went well.
-std::string read_input(const Input& input, Cloud& cloud, std::size_t& number_of_skipped,
-                       std::size_t& number_of_points_of_patches);
+// A cloud that stays in its file, or one in memory.
+class Input_cloud : public CGAL::Wireframe_extraction::Distance_cloud_source
+{
+public:
+  virtual std::size_t number_of_skipped() const = 0;
+
+  // what the user shall know
+  virtual std::string note() const { return std::string(); }
+};
+
+// Opens a cloud. Patches, and what can be read only once, are read at once: then `error` may have what went wrong.
+std::unique_ptr<Input_cloud> open_input(const Input& input, std::string& error);
 
 } // namespace tool
 

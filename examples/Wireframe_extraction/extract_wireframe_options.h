@@ -43,6 +43,7 @@ struct Options
   View view = View::ISOMETRIC;   // of the picture
   bool has_stages = false, has_batch = false, has_html = false, has_png = false, is_paper = false, is_quiet = false;
   int number_of_threads = 0;      // 0: as many as there are
+  int points_in_memory = 1 << 20;
   double sampling_distance = 0.;  // 0: to be estimated
   Length_unit unit = Length_unit::MILLIMETER;
   Step_schema step_schema = Step_schema::AP214;
@@ -346,6 +347,10 @@ private:
       ->group(group);
     add_checked("--threads", m_options.number_of_threads, 1, 1024, "Use at most this many threads", group)
       ->type_name("N");
+    add_checked("--points-in-memory", m_options.points_in_memory, 1, 99999999,
+                "A larger CLOUD stays in its file, which is then read five times, and only what lies near features is "
+                "kept; the result is the same", group)
+      ->capture_default_str();
     m_app.add_flag("--quiet", m_options.is_quiet, "Print nothing but errors")->group(group);
     m_app.set_help_flag("-h,--help", "Print this help")->group(group);
     m_app.set_version_flag("--version", "extract_wireframe " WIREFRAME_EXTRACTION_VERSION_STRING,

@@ -3,7 +3,7 @@
 #ifndef EXTRACT_WIREFRAME_PAGE_H
 #define EXTRACT_WIREFRAME_PAGE_H
 
-#include "extract_wireframe_input.h"
+#include "extract_wireframe_cloud.h"
 #include "extract_wireframe_stages.h"
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>

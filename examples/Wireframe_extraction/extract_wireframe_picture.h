@@ -4,7 +4,7 @@
 #ifndef EXTRACT_WIREFRAME_PICTURE_H
 #define EXTRACT_WIREFRAME_PICTURE_H
 
-#include "extract_wireframe_input.h"
+#include "extract_wireframe_cloud.h"
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 

@@ -69,10 +69,11 @@ class Numpy_test(unittest.TestCase):
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8", timeout=TIME_LIMIT)
 
     def check(self, *arguments, expected=None):
-        """The tool finds the wireframe of the box; returns what it said."""
-        done = self.run_tool(self.folder, *arguments, "-o", "out.json")
-        self.assertEqual((done.returncode, done.stderr), (0, ""), done.args)
-        self.assertEqual(json.loads((self.folder / "out.json").read_text()), expected or self.expected)
+        """The tool finds the wireframe of the box, also if it reads the file several times; returns what it said."""
+        for memory in ((), ("--points-in-memory", 900)):
+            done = self.run_tool(self.folder, *arguments, *memory, "-o", "out.json")
+            self.assertEqual((done.returncode, done.stderr), (0, ""), done.args)
+            self.assertEqual(json.loads((self.folder / "out.json").read_text()), expected or self.expected)
         return done.stdout
 
     def refuse(self, exit_code, words, *arguments):

@@ -13,6 +13,7 @@
 #define CGAL_EXTRACT_WIREFRAME_H
 
 #include <CGAL/Wireframe_extraction/Default_visitor.h>
+#include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
 #include <CGAL/Wireframe_extraction/build_topological_graph.h>
 #include <CGAL/Wireframe_extraction/contract_skeleton.h>
@@ -33,6 +34,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -42,38 +44,25 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// Collects the valid points; returns false, with a message, if there are others that must not be skipped.
-template <class PointRange, class Access>
-bool collect_values(const PointRange& points, const Access& access, bool skip_invalid, Cloud_values& cloud,
-                    Wireframe_extraction_report& report)
+// Reads the cloud for the first time; returns false, with a message, if it cannot be read or has points that must not
+// be skipped.
+inline bool survey(Surveyed_cloud& cloud, bool skip_invalid, Wireframe_extraction_report& report)
 {
-  std::size_t index = 0, not_finite = 0, negative = 0, first = 0;
-  for (const auto& value : points) {
-    const Vector position = access.position(value);
-    const double distance = access.distance(value);
-    const bool is_finite = position.allFinite() && std::isfinite(distance);
-    if (is_finite && distance >= 0.) {
-      cloud.positions.push_back(position);
-      cloud.distances.push_back(distance);
-      cloud.indices.push_back(index);
-    } else {
-      if (not_finite + negative == 0)
-        first = index;
-      ++(is_finite ? negative : not_finite);
-    }
-    ++index;
-  }
-  report.number_of_points = index;
-  report.number_of_skipped_points = not_finite + negative;
+  const bool is_read = cloud.survey();
+  const std::size_t invalid = cloud.number_of_not_finite() + cloud.number_of_negative();
+  report.number_of_points = cloud.number_of_points();
+  report.number_of_skipped_points = invalid;
   std::ostringstream message;
-  if (index == 0)
+  if (!is_read)
+    message << cloud.error();
+  else if (cloud.number_of_points() == 0)
     message << "the cloud has no points";
-  else if (not_finite + negative > 0 && !skip_invalid)
-    message << not_finite << " points have coordinates or distances that are not finite and " << negative
-            << " have negative distances; the first is the point with index " << first
-            << " (counted from 0); remove them, or skip invalid points";
-  else if (cloud.positions.empty())
-    message << "none of the " << index << " points is valid";
+  else if (invalid > 0 && !skip_invalid)
+    message << cloud.number_of_not_finite() << " points have coordinates or distances that are not finite and "
+            << cloud.number_of_negative() << " have negative distances; the first is the point with index "
+            << cloud.first_invalid() << " (counted from 0); remove them, or skip invalid points";
+  else if (cloud.number_of_valid() == 0)
+    message << "none of the " << cloud.number_of_points() << " points is valid";
   report.message = message.str();
   return report.message.empty();
 }
@@ -129,13 +118,12 @@ inline int dimension(const std::vector<Vector>& positions)
 }
 
 // whether points, distances and a sampling distance given by the caller (or 0) have the same unit
-inline bool check_scale(const Cloud_values& cloud, const Cloud_scale& scale, double given,
+inline bool check_scale(const Surveyed_cloud& cloud, const Cloud_scale& scale, double given,
                         Wireframe_extraction_report& report)
 {
   std::ostringstream message;
-  const auto range = std::minmax_element(cloud.distances.begin(), cloud.distances.end());
-  if (*range.first == *range.second)
-    message << "all distances are " << *range.first << ": this is no distance field";
+  if (cloud.smallest_distance() == cloud.largest_distance())
+    message << "all distances are " << cloud.smallest_distance() << ": this is no distance field";
   else if (scale.slope > 8.)
     message << "the distances do not fit the points: from point to point they change " << scale.slope
             << " times as much as the points are apart; are they in another unit?";
@@ -151,9 +139,9 @@ inline bool check_scale(const Cloud_values& cloud, const Cloud_scale& scale, dou
   return report.message.empty();
 }
 
-inline std::string no_feature_message(const Cloud_values& cloud, double unit, double threshold)
+inline std::string no_feature_message(const Surveyed_cloud& cloud, double unit, double threshold)
 {
-  const double smallest = *std::min_element(cloud.distances.begin(), cloud.distances.end());
+  const double smallest = cloud.smallest_distance();
   std::ostringstream message;
   message << "no point lies near a feature: the smallest distance is " << smallest << ", the threshold is "
           << threshold * unit << " (" << threshold << " times the sampling distance " << unit << ")";
@@ -188,6 +176,13 @@ public:
     return !m_is_cancelled;
   }
 
+  // what is no stage is done
+  bool reach(double share)
+  {
+    m_begin = m_end = share;
+    return proceed(1.);
+  }
+
   template <class Stage>
   bool run(const char* name, double share_when_done, const Stage& stage)
   {
@@ -201,6 +196,145 @@ public:
     return proceed(1.);
   }
 };
+
+// What both `extract_wireframe()` and `extract_wireframe_from_source()` do.
+template <class GeomTraits, class NamedParameters>
+Wireframe<GeomTraits> extract(Distance_cloud_source& source, const GeomTraits& traits, bool is_reading_timed,
+                              const NamedParameters& np)
+{
+  namespace WE = Wireframe_extraction;
+  namespace np_tags = WE::internal_np;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  typedef Wireframe_extraction_report Report;
+
+  Report own_report;
+  Report& report = choose_parameter(get_parameter(np, np_tags::extraction_report), std::ref(own_report)).get();
+  report = Report();
+  WE::Default_visitor no_visitor;
+  auto given_visitor = choose_parameter(get_parameter(np, np_tags::visitor), std::ref(no_visitor));
+  auto& visitor = referred(given_visitor);
+  const std::function<bool(double)> callback = choose_parameter(
+    get_parameter(np, CGAL::internal_np::callback), std::function<bool(double)>());
+  Stage_runner runner(callback, report);
+  const Extraction_options options = extraction_options(np);
+
+  Wireframe<GeomTraits> wireframe;
+  const auto give_up = [&](Report::Status status) {
+    report.status = status;
+    if (status == Report::Status::CANCELLED)
+      report.message = "cancelled";
+    return Wireframe<GeomTraits>();
+  };
+
+  auto cloud = std::make_unique<Surveyed_cloud>(source, points_in_memory(np));
+  const bool skip_invalid = choose_parameter(get_parameter(np, np_tags::skip_invalid), false);
+  CGAL::Real_timer timer;
+  timer.start();
+  if (!survey(*cloud, skip_invalid, report))
+    return give_up(Report::Status::INVALID_INPUT);
+  if (is_reading_timed)
+    report.seconds.emplace_back("reading", timer.time());
+  if (!runner.reach(0.02))
+    return give_up(Report::Status::CANCELLED);
+  const auto is_unreadable = [&] {
+    report.message = cloud->error();
+    return !report.message.empty();
+  };
+  const int dimension = internal::dimension(cloud->sample().positions);
+  if (dimension < 2) {
+    report.message = dimension == 0 ? "all points coincide" : "all points lie on one line";
+    return give_up(Report::Status::INVALID_INPUT);
+  }
+  if (dimension == 2)
+    report.warnings.push_back("all points lie in one plane");
+
+  const double given = CGAL::to_double(choose_parameter(get_parameter(np, np_tags::sampling_distance), 0.));
+  Cloud_scale scale;
+  if (!runner.run("sampling distance", 0.15, [&] { scale = cloud->scale(); }))
+    return give_up(Report::Status::CANCELLED);
+  if (is_unreadable() || !check_scale(*cloud, scale, given, report))
+    return give_up(Report::Status::INVALID_INPUT);
+  const double unit = given > 0. ? given : scale.sampling_distance;
+  report.sampling_distance = unit;
+  visitor.sampling_distance_estimated(unit);
+
+  Wireframe_skeleton<GeomTraits> skeleton;
+  if (!runner.run("skeleton", 0.2, [&] {
+        skeleton = select_skeleton(*cloud, unit, options, traits);
+      }))
+    return give_up(Report::Status::CANCELLED);
+  if (is_unreadable())
+    return give_up(Report::Status::INVALID_INPUT);
+  report.skeleton_size = skeleton.size();
+  report.number_of_duplicates = skeleton.number_of_duplicates();
+  if (report.number_of_duplicates > 0)
+    report.warnings.push_back(std::to_string(report.number_of_duplicates)
+                              + " points near features lie exactly where others do and were left out");
+  if (skeleton.is_empty()) {
+    report.message = no_feature_message(*cloud, unit, options.skeleton_distance);
+    return give_up(Report::Status::NO_FEATURE);
+  }
+  visitor.skeleton_selected(skeleton);
+  cloud.reset();
+
+  if (!runner.run("contraction", 0.35, [&] { WE::contract_skeleton(skeleton, np); }))
+    return give_up(Report::Status::CANCELLED);
+  if (options.use_creases && !runner.run("refinement", 0.5, [&] { WE::refine_field(skeleton, np); }))
+    return give_up(Report::Status::CANCELLED);
+  report.noise = skeleton.contraction().noise * unit;
+  visitor.skeleton_contracted(skeleton);
+
+  std::vector<Wireframe_corner<GeomTraits> > corners;
+  if (!runner.run("corners", 0.55, [&] { corners = WE::detect_corners(skeleton, np); }))
+    return give_up(Report::Status::CANCELLED);
+  visitor.corners_detected(skeleton, corners);
+
+  std::vector<std::vector<std::size_t> > clusters;
+  if (!runner.run("segmentation", 0.6, [&] { clusters = WE::segment_curves(skeleton, corners, np); }))
+    return give_up(Report::Status::CANCELLED);
+  report.number_of_clusters = clusters.size();
+  visitor.curves_segmented(skeleton, clusters);
+
+  const auto progress = [&](double share) { return runner.proceed(share); };
+  Wireframe_graph<GeomTraits> graph;
+  if (!runner.run("graph", 0.8, [&] {
+        graph = build_graph(skeleton, corners, clusters, options, progress);
+      }))
+    return give_up(Report::Status::CANCELLED);
+  visitor.graph_built(graph);
+
+  if (!runner.run("splines", 0.95, [&] { wireframe = fit(skeleton, graph, options, progress); }))
+    return give_up(Report::Status::CANCELLED);
+  if (wireframe.is_empty()) {
+    report.message = "no curve explains the field";
+    return give_up(Report::Status::NO_FEATURE);
+  }
+  visitor.curves_fitted(wireframe);
+  if (options.recognize_types) {
+    if (!runner.run("types", 1., [&] { wireframe = recognize(skeleton, wireframe, options, report.regularities); }))
+      return give_up(Report::Status::CANCELLED);
+    visitor.types_recognized(wireframe);
+  }
+  std::vector<std::size_t> ends(wireframe.vertices.size(), 0);
+  for (const Wireframe_curve<GeomTraits>& curve : wireframe.curves)
+    if (curve.source != curve.no_vertex) {
+      ++ends[curve.source];
+      ++ends[curve.target];
+    }
+  report.number_of_free_ends = std::count(ends.begin(), ends.end(), std::size_t(1));
+  report.number_of_corners = wireframe.vertices.size() - report.number_of_free_ends;
+  report.number_of_curves = wireframe.curves.size();
+  double squares = 0., support = 0.;
+  for (const Wireframe_curve<GeomTraits>& curve : wireframe.curves) {
+    const double rms = CGAL::to_double(curve.root_mean_square);
+    squares += rms * rms * double(curve.support);
+    support += double(curve.support);
+    report.maximum_deviation = (std::max)(report.maximum_deviation, CGAL::to_double(curve.maximum_deviation));
+  }
+  report.root_mean_square = support > 0. ? std::sqrt(squares / support) : 0.;
+  return wireframe;
+}
 
 } // namespace internal
 } // namespace Wireframe_extraction
@@ -237,6 +371,12 @@ cloud, up to rounding.
     \cgalParamDescription{the sampling distance r of the cloud, in its unit}
     \cgalParamType{`double`}
     \cgalParamDefault{what `estimate_sampling_distance()` finds}
+  \cgalParamNEnd
+  \cgalParamNBegin{points_in_memory}
+    \cgalParamDescription{up to how many points are copied; a larger cloud is gone over several times instead}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{1048576}
+    \cgalParamExtra{The result is the same, up to rounding.}
   \cgalParamNEnd
   \cgalParamNBegin{skip_invalid}
     \cgalParamDescription{whether points that are not finite or have a negative distance are left out; otherwise they
@@ -279,7 +419,8 @@ cloud, up to rounding.
 \return the wireframe. It is empty if the input is invalid, if there is no feature, or after cancelling; the report
 says which.
 
-Complexity: O(n log n) for n points.
+Complexity: O(n log n) for n points. Beyond the cloud itself, memory goes to at most `points_in_memory` points and to
+those around the features.
 */
 template <class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
 #ifdef DOXYGEN_RUNNING
@@ -289,129 +430,40 @@ Wireframe<typename Wireframe_extraction::internal::Cloud_access<PointRange, Name
 #endif
 extract_wireframe(const PointRange& points, const NamedParameters& np = CGAL::parameters::default_values())
 {
-  namespace WE = Wireframe_extraction;
-  namespace np_tags = WE::internal_np;
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  typedef WE::internal::Cloud_access<PointRange, NamedParameters> Access;
-  typedef typename Access::Geom_traits Geom_traits;
-  typedef Wireframe_extraction_report Report;
-
-  Report own_report;
-  Report& report = choose_parameter(get_parameter(np, np_tags::extraction_report), std::ref(own_report)).get();
-  report = Report();
-  WE::Default_visitor no_visitor;
-  auto given_visitor = choose_parameter(get_parameter(np, np_tags::visitor), std::ref(no_visitor));
-  auto& visitor = WE::internal::referred(given_visitor);
-  const std::function<bool(double)> callback = choose_parameter(
-    get_parameter(np, CGAL::internal_np::callback), std::function<bool(double)>());
-  WE::internal::Stage_runner runner(callback, report);
+  typedef Wireframe_extraction::internal::Cloud_access<PointRange, NamedParameters> Access;
   const Access access(np);
-  const WE::internal::Extraction_options options = WE::internal::extraction_options(np);
+  Wireframe_extraction::internal::Range_source<PointRange, Access> source(points, access);
+  return Wireframe_extraction::internal::extract(source, access.traits(), false, np);
+}
 
-  Wireframe<Geom_traits> wireframe;
-  const auto give_up = [&](Report::Status status) {
-    report.status = status;
-    if (status == Report::Status::CANCELLED)
-      report.message = "cancelled";
-    return Wireframe<Geom_traits>();
-  };
+/*!
+\ingroup PkgWireframeExtractionFunctions
 
-  WE::internal::Cloud_values cloud;
-  const bool skip_invalid = choose_parameter(get_parameter(np, np_tags::skip_invalid), false);
-  if (!WE::internal::collect_values(points, access, skip_invalid, cloud, report))
-    return give_up(Report::Status::INVALID_INPUT);
-  const int dimension = WE::internal::dimension(cloud.positions);
-  if (dimension < 2) {
-    report.message = dimension == 0 ? "all points coincide" : "all points lie on one line";
-    return give_up(Report::Status::INVALID_INPUT);
-  }
-  if (dimension == 2)
-    report.warnings.push_back("all points lie in one plane");
+extracts the parametric wireframe of a shape from a cloud that need not be in memory. It is read several times, and what
+is kept of it are `points_in_memory` points and those around the features. The result is that of
+`extract_wireframe()` for the same points.
 
-  const double given = CGAL::to_double(choose_parameter(get_parameter(np, np_tags::sampling_distance), 0.));
-  WE::internal::Cloud_scale scale;
-  if (!runner.run("sampling distance", 0.15, [&] { scale = cloud.scale(); }))
-    return give_up(Report::Status::CANCELLED);
-  if (!WE::internal::check_scale(cloud, scale, given, report))
-    return give_up(Report::Status::INVALID_INPUT);
-  const double unit = given > 0. ? given : scale.sampling_distance;
-  report.sampling_distance = unit;
-  visitor.sampling_distance_estimated(unit);
+\tparam GeomTraits a model of `WireframeExtractionTraits_3`, for instance a kernel
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-  Wireframe_skeleton<Geom_traits> skeleton;
-  if (!runner.run("skeleton", 0.2, [&] {
-        skeleton = WE::internal::select_skeleton(cloud, unit, options, access.traits());
-      }))
-    return give_up(Report::Status::CANCELLED);
-  report.skeleton_size = skeleton.size();
-  report.number_of_duplicates = skeleton.number_of_duplicates();
-  if (report.number_of_duplicates > 0)
-    report.warnings.push_back(std::to_string(report.number_of_duplicates)
-                              + " points near features lie exactly where others do and were left out");
-  if (skeleton.is_empty()) {
-    report.message = WE::internal::no_feature_message(cloud, unit, options.skeleton_distance);
-    return give_up(Report::Status::NO_FEATURE);
-  }
-  visitor.skeleton_selected(skeleton);
-  cloud = WE::internal::Cloud_values();
+\param source the cloud, for instance an `IO::Distance_cloud_file`. If it cannot be read, the report has the reason.
+\param np an optional sequence of named parameters: those of `extract_wireframe()`, except `point_map` and
+`distance_map`
 
-  if (!runner.run("contraction", 0.35, [&] { WE::contract_skeleton(skeleton, np); }))
-    return give_up(Report::Status::CANCELLED);
-  if (options.use_creases && !runner.run("refinement", 0.5, [&] { WE::refine_field(skeleton, np); }))
-    return give_up(Report::Status::CANCELLED);
-  report.noise = skeleton.contraction().noise * unit;
-  visitor.skeleton_contracted(skeleton);
+\return the wireframe. It is empty if the input is invalid, if there is no feature, or after cancelling; the report
+says which.
 
-  std::vector<Wireframe_corner<Geom_traits> > corners;
-  if (!runner.run("corners", 0.55, [&] { corners = WE::detect_corners(skeleton, np); }))
-    return give_up(Report::Status::CANCELLED);
-  visitor.corners_detected(skeleton, corners);
-
-  std::vector<std::vector<std::size_t> > clusters;
-  if (!runner.run("segmentation", 0.6, [&] { clusters = WE::segment_curves(skeleton, corners, np); }))
-    return give_up(Report::Status::CANCELLED);
-  report.number_of_clusters = clusters.size();
-  visitor.curves_segmented(skeleton, clusters);
-
-  const auto progress = [&](double share) { return runner.proceed(share); };
-  Wireframe_graph<Geom_traits> graph;
-  if (!runner.run("graph", 0.8, [&] {
-        graph = WE::internal::build_graph(skeleton, corners, clusters, options, progress);
-      }))
-    return give_up(Report::Status::CANCELLED);
-  visitor.graph_built(graph);
-
-  if (!runner.run("splines", 0.95, [&] { wireframe = WE::internal::fit(skeleton, graph, options, progress); }))
-    return give_up(Report::Status::CANCELLED);
-  if (wireframe.is_empty()) {
-    report.message = "no curve explains the field";
-    return give_up(Report::Status::NO_FEATURE);
-  }
-  visitor.curves_fitted(wireframe);
-  if (options.recognize_types) {
-    if (!runner.run("types", 1., [&] { wireframe = WE::internal::recognize(skeleton, wireframe, options, report.regularities); }))
-      return give_up(Report::Status::CANCELLED);
-    visitor.types_recognized(wireframe);
-  }
-  std::vector<std::size_t> ends(wireframe.vertices.size(), 0);
-  for (const Wireframe_curve<Geom_traits>& curve : wireframe.curves)
-    if (curve.source != curve.no_vertex) {
-      ++ends[curve.source];
-      ++ends[curve.target];
-    }
-  report.number_of_free_ends = std::count(ends.begin(), ends.end(), std::size_t(1));
-  report.number_of_corners = wireframe.vertices.size() - report.number_of_free_ends;
-  report.number_of_curves = wireframe.curves.size();
-  double squares = 0., support = 0.;
-  for (const Wireframe_curve<Geom_traits>& curve : wireframe.curves) {
-    const double rms = CGAL::to_double(curve.root_mean_square);
-    squares += rms * rms * double(curve.support);
-    support += double(curve.support);
-    report.maximum_deviation = (std::max)(report.maximum_deviation, CGAL::to_double(curve.maximum_deviation));
-  }
-  report.root_mean_square = support > 0. ? std::sqrt(squares / support) : 0.;
-  return wireframe;
+Complexity: O(n log n) for n points. A cloud of more than `points_in_memory` points is read five times, four times
+without `use_creases`.
+*/
+template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Wireframe<GeomTraits>
+extract_wireframe_from_source(Wireframe_extraction::Distance_cloud_source& source,
+                              const NamedParameters& np = CGAL::parameters::default_values())
+{
+  const GeomTraits traits = CGAL::parameters::choose_parameter<GeomTraits>(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits));
+  return Wireframe_extraction::internal::extract(source, traits, true, np);
 }
 
 } // namespace CGAL

@@ -14,8 +14,9 @@
 
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/Range_source.h>
+#include <CGAL/Wireframe_extraction/internal/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/cloud_access.h>
-#include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
 
 #include <CGAL/number_utils.h>
 
@@ -73,16 +74,6 @@ inline std::size_t complete_band(Field_band& band, double skeleton_distance)
   return duplicates;
 }
 
-// The positions and distances of a cloud, and which of its values they belong to.
-struct Cloud_values
-{
-  std::vector<Vector> positions;
-  std::vector<double> distances;
-  std::vector<std::size_t> indices;
-
-  Cloud_scale scale() const { return cloud_scale(positions, distances, indices_spread_by_distance(distances, positions)); }
-};
-
 // The places within about `reach` of some positions, cell by cell: from `reach` at least to three times as much.
 class Neighborhood_cells
 {
@@ -112,27 +103,29 @@ public:
 };
 
 // The points around the skeleton whatever their distances say: what the surface looks like there.
-inline void select_surroundings(const Cloud_values& cloud, double unit, const Vector& origin, double reach,
-                                const Field_band& band, Field_band& surroundings)
+template <class Cloud>
+void select_surroundings(const Cloud& cloud, double unit, const Vector& origin, double reach,
+                         const Field_band& band, Field_band& surroundings)
 {
   Neighborhood_cells cells(reach);
   for (std::size_t i = 0; i < band.skeleton_size; ++i)
     cells.add(band.points[i]);
-  for (std::size_t i = 0; i < cloud.positions.size(); ++i) {
-    const Vector p = (cloud.positions[i] - origin) / unit;
+  cloud.for_each([&](const Vector& position, double distance, std::size_t index) {
+    const Vector p = (position - origin) / unit;
     if (!cells.holds(p))
-      continue;
+      return;
     surroundings.points.push_back(p);
-    surroundings.distances.push_back(cloud.distances[i] / unit);
-    surroundings.indices.push_back(cloud.indices[i]);
-  }
+    surroundings.distances.push_back(distance / unit);
+    surroundings.indices.push_back(index);
+  });
   sort_band(surroundings);
   surroundings.skeleton_size = band.skeleton_size;
   surroundings.search.build(surroundings.points, surroundings.size());
 }
 
-template <class GeomTraits>
-Wireframe_skeleton<GeomTraits> select_skeleton(const Cloud_values& cloud, double unit,
+// `cloud.for_each(f)` calls `f(position, distance, index)` for every point
+template <class Cloud, class GeomTraits>
+Wireframe_skeleton<GeomTraits> select_skeleton(const Cloud& cloud, double unit,
                                                const Extraction_options& options, const GeomTraits& traits)
 {
   auto surroundings = std::make_shared<Field_band>();
@@ -141,13 +134,14 @@ Wireframe_skeleton<GeomTraits> select_skeleton(const Cloud_values& cloud, double
   std::size_t duplicates = 0;
   if (unit > 0.) {
     const double widest = unit * (std::max)(options.skeleton_distance, options.support_distance);
-    for (std::size_t i = 0; i < cloud.positions.size(); ++i)
-      if (cloud.distances[i] < widest) {
-        band->points.push_back(cloud.positions[i]);
-        band->distances.push_back(cloud.distances[i]);
-        band->indices.push_back(cloud.indices[i]);
-        origin += cloud.positions[i];
-      }
+    cloud.for_each([&](const Vector& position, double distance, std::size_t index) {
+      if (!(distance < widest))
+        return;
+      band->points.push_back(position);
+      band->distances.push_back(distance);
+      band->indices.push_back(index);
+      origin += position;
+    });
     if (band->size() > 0)
       origin /= double(band->size());
     for (std::size_t i = 0; i < band->size(); ++i) {
@@ -206,6 +200,11 @@ points below `support_distance`, which later stages fit to.
     \cgalParamType{`double`}
     \cgalParamDefault{4}
   \cgalParamNEnd
+  \cgalParamNBegin{points_in_memory}
+    \cgalParamDescription{up to how many points are copied; a larger cloud is gone over several times instead}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{1048576}
+  \cgalParamNEnd
   \cgalParamNBegin{use_creases}
     \cgalParamDescription{whether the points around the skeleton are kept for `refine_field()`, which otherwise does
                           nothing}
@@ -232,12 +231,9 @@ Wireframe_skeleton<typename internal::Cloud_access<PointRange, NamedParameters>:
 select_skeleton(const PointRange& points, const NamedParameters& np = CGAL::parameters::default_values())
 {
   const internal::Cloud_access<PointRange, NamedParameters> access(np);
-  internal::Cloud_values cloud;
-  for (const auto& value : points) {
-    cloud.indices.push_back(cloud.positions.size());
-    cloud.positions.push_back(access.position(value));
-    cloud.distances.push_back(access.distance(value));
-  }
+  internal::Range_source<PointRange, internal::Cloud_access<PointRange, NamedParameters> > source(points, access);
+  internal::Surveyed_cloud cloud(source, internal::points_in_memory(np));
+  cloud.survey();
   double unit = CGAL::to_double(CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(np, internal_np::sampling_distance), 0.));
   if (!(unit > 0.))

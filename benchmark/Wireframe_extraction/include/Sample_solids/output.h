@@ -115,13 +115,17 @@ inline void write_curves(std::ostream& out, const std::vector<True_curve>& curve
 
 } // namespace internal
 
-/// writes a cloud as binary PLY: floats x, y, z and distance; a comment of the header tells the sampling
-/// distance.
-inline bool write_ply(std::ostream& out, const Cloud& cloud)
+/// writes the header of a cloud of so many points.
+inline void write_ply_header(std::ostream& out, double sampling_distance, std::size_t points)
 {
   out << "ply\nformat binary_little_endian 1.0\ncomment sampling distance "
-      << internal::number(cloud.sampling_distance, 9) << "\nelement vertex " << cloud.points.size()
+      << internal::number(sampling_distance, 9) << "\nelement vertex " << points
       << "\nproperty float x\nproperty float y\nproperty float z\nproperty float distance\nend_header\n";
+}
+
+/// writes points of a cloud behind its header.
+inline bool write_ply_points(std::ostream& out, const Cloud& cloud)
+{
   std::string buffer;
   for (std::size_t i = 0; i < cloud.points.size(); ++i)
   {
@@ -134,7 +138,15 @@ inline bool write_ply(std::ostream& out, const Cloud& cloud)
       buffer.clear();
     }
   }
-  return static_cast<bool>(out.flush());
+  return static_cast<bool>(out);
+}
+
+/// writes a cloud as binary PLY: floats x, y, z and distance; a comment of the header tells the sampling
+/// distance.
+inline bool write_ply(std::ostream& out, const Cloud& cloud)
+{
+  write_ply_header(out, cloud.sampling_distance, cloud.points.size());
+  return write_ply_points(out, cloud) && out.flush();
 }
 
 /// writes a ground truth as JSON.

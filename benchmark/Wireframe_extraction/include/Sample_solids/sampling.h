@@ -45,34 +45,50 @@ struct Sampling_options
 namespace internal {
 
 /// Uniformly random points on the faces: a face by its area, then a point on it by rejection.
-inline void sample_uniformly(const Solid& solid, std::size_t n, Random& random, Cloud& cloud)
+class Uniform_sampler
 {
-  std::vector<double> sums;
-  double sum = 0;
-  for (const Face& face : solid.faces)
-    sums.push_back(sum += face.area);
-  cloud.points.reserve(n);
-  cloud.faces.reserve(n);
-  while (cloud.points.size() < n)
+public:
+  Uniform_sampler(const Solid& solid_, Random& random_) : solid(solid_), random(random_)
   {
-    const double x = random.uniform(0, sum);
-    const std::size_t k = (std::min)(static_cast<std::size_t>(std::upper_bound(sums.begin(), sums.end(), x)
-                                                              - sums.begin()), sums.size() - 1);
-    const Face& face = solid.faces[k];
+    for (const Face& face : solid.faces)
+      sums.push_back(sum += face.area);
+  }
+
+  /// adds `n` points.
+  void sample(std::size_t n, Cloud& cloud)
+  {
+    const std::size_t wanted = cloud.points.size() + n;
+    cloud.points.reserve(wanted);
+    cloud.faces.reserve(wanted);
+    while (cloud.points.size() < wanted)
+    {
+      const double x = random.uniform(0, sum);
+      const std::size_t k = (std::min)(static_cast<std::size_t>(std::upper_bound(sums.begin(), sums.end(), x)
+                                                                - sums.begin()), sums.size() - 1);
+      cloud.points.push_back(point_on(solid.faces[k]));
+      cloud.faces.push_back(static_cast<std::uint32_t>(k));
+    }
+  }
+
+private:
+  Point point_on(const Face& face)
+  {
     while (true)
     {
       const double u = random.uniform(), v = random.uniform();
       if (random.uniform() * face.largest_area_element() > face.area_element(v))
         continue;
       const Point p = face.at(u, v);
-      if (face.inside(p) < 0)
-        continue;
-      cloud.points.push_back(p);
-      cloud.faces.push_back(static_cast<std::uint32_t>(k));
-      break;
+      if (face.inside(p) >= 0)
+        return p;
     }
   }
-}
+
+  const Solid& solid;
+  Random& random;
+  std::vector<double> sums;
+  double sum = 0;
+};
 
 /// The tiles of a solid's faces: rectangles of their parameters.
 class Solid_tiling
@@ -167,19 +183,32 @@ private:
   std::vector<Grid> grids;
 };
 
-inline void annotate(const Solid& solid, const Sampling_options& options, Cloud& cloud)
+/// Tells points of a solid their exact distances.
+class Annotator
 {
+public:
+  Annotator(const Solid& solid, const Sampling_options& options)
+    : bound(options.truncation * options.sampling_distance)
+  {
+    if (options.scope == Field_scope::ALL)
+      trees.emplace_back(solid.curves, solid.sharp_curves());
+    else
+      for (std::size_t i = 0; i < solid.faces.size(); ++i)
+        trees.emplace_back(solid.curves, solid.curves_around(i));
+  }
+
+  void annotate(Cloud& cloud) const
+  {
+    cloud.exact_distances.reserve(cloud.points.size());
+    for (std::size_t i = cloud.exact_distances.size(); i < cloud.points.size(); ++i)
+      cloud.exact_distances.push_back(trees[trees.size() == 1 ? 0 : cloud.faces[i]](cloud.points[i], bound));
+    cloud.distances = cloud.exact_distances;
+  }
+
+private:
+  double bound;
   std::vector<Curve_distance> trees;
-  if (options.scope == Field_scope::ALL)
-    trees.emplace_back(solid.curves, solid.sharp_curves());
-  else
-    for (std::size_t i = 0; i < solid.faces.size(); ++i)
-      trees.emplace_back(solid.curves, solid.curves_around(i));
-  const double bound = options.truncation * options.sampling_distance;
-  cloud.exact_distances.reserve(cloud.points.size());
-  for (std::size_t i = 0; i < cloud.points.size(); ++i)
-    cloud.exact_distances.push_back(trees[trees.size() == 1 ? 0 : cloud.faces[i]](cloud.points[i], bound));
-}
+};
 
 } // namespace internal
 
@@ -192,15 +221,38 @@ inline Cloud sample_exactly(const Solid& solid, const Sampling_options& options 
   const std::size_t n = number_of_points(solid.area(), options.sampling_distance);
   Random random(options.seed);
   if (options.sampling == Sampling::UNIFORM)
-    internal::sample_uniformly(solid, n, random, cloud);
+    internal::Uniform_sampler(solid, random).sample(n, cloud);
   else
   {
     internal::Solid_tiling tiling(solid);
     Poisson_sampler<internal::Solid_tiling>(tiling, options.sampling_distance, n, random, cloud).run();
   }
-  internal::annotate(solid, options, cloud);
-  cloud.distances = cloud.exact_distances;
+  internal::Annotator(solid, options).annotate(cloud);
   return cloud;
+}
+
+/// samples a solid uniformly with an exact field, as `sample_exactly()` does, but hands the cloud out piece by piece:
+/// `use(cloud)` gets the next points, and returns whether it wants more. So the cloud need not fit into memory.
+template <class Use>
+bool sample_uniformly(const Solid& solid, const Sampling_options& options, const Use& use)
+{
+  const std::size_t piece = 65536;
+  Random random(options.seed);
+  internal::Uniform_sampler sampler(solid, random);
+  const internal::Annotator annotator(solid, options);
+  std::size_t left = number_of_points(solid.area(), options.sampling_distance);
+  while (left > 0)
+  {
+    Cloud cloud;
+    cloud.sampling_distance = options.sampling_distance;
+    cloud.truncation = options.truncation;
+    sampler.sample((std::min)(left, piece), cloud);
+    left -= cloud.points.size();
+    annotator.annotate(cloud);
+    if (!use(cloud))
+      return false;
+  }
+  return true;
 }
 
 /// samples a solid, with the field that the options ask for.

@@ -39,35 +39,6 @@ inline std::vector<std::size_t> spread_indices(std::size_t n)
   return indices;
 }
 
-// Indices evenly spread over the ranks of the distances: the same points whatever the order of the cloud. The points
-// at the largest value are left out, since a field is truncated there and their order would be arbitrary.
-inline std::vector<std::size_t> indices_spread_by_distance(const std::vector<double>& distances,
-                                                           const std::vector<Vector>& positions)
-{
-  const double largest = distances.empty() ? 0. : *std::max_element(distances.begin(), distances.end());
-  struct Ranked { double distance; std::size_t index; };
-  std::vector<Ranked> order;
-  for (std::size_t i = 0; i < distances.size(); ++i)
-    if (distances[i] < largest)
-      order.push_back({distances[i], i});
-  std::sort(order.begin(), order.end(), [](const Ranked& a, const Ranked& b) { return a.distance < b.distance; });
-  // of different positions with the same distance none is taken: which one would depend on the order of the cloud
-  std::vector<std::size_t> unique;
-  for (std::size_t first = 0, beyond = 0; first < order.size(); first = beyond) {
-    bool is_one_position = true;
-    for (beyond = first; beyond < order.size() && order[beyond].distance == order[first].distance; ++beyond)
-      is_one_position = is_one_position && positions[order[beyond].index] == positions[order[first].index];
-    if (is_one_position)
-      unique.push_back(order[first].index);
-  }
-  if (unique.size() < 64)
-    return spread_indices(distances.size());
-  std::vector<std::size_t> indices = spread_indices(unique.size());
-  for (std::size_t& i : indices)
-    i = unique[i];
-  return indices;
-}
-
 inline double median(std::vector<double> values)
 {
   if (values.empty())
@@ -84,6 +55,37 @@ struct Cloud_scale
   double slope = 0.;    // of the field between neighbors: about 1 if points and distances have the same unit
 };
 
+constexpr std::size_t density_neighbors = 16;
+
+// what was found around the queries
+class Density_measures
+{
+  std::vector<double> m_areas, m_nearest, m_slopes;
+
+public:
+  // the squared distances of the first and of the last of some neighbors
+  void add(double first, double last, std::size_t neighbors, double slope)
+  {
+    // a random cloud holds k - 1/3 points in the median of these discs, a regular one about k + 1/2
+    m_areas.push_back(CGAL_PI * last / (double(neighbors) + 0.1));
+    m_nearest.push_back(std::sqrt(first));
+    m_slopes.push_back(slope);
+  }
+
+  Cloud_scale scale() const
+  {
+    Cloud_scale scale;
+    const double from_density = std::sqrt(0.82 * median(m_areas)), from_nearest = median(m_nearest);
+    if (!(from_density > 0.))
+      return scale;
+    // their ratio is 0.55 where the points are random, above 0.9 where they keep their distance
+    const double regularity = (std::min)(1., (std::max)(0., (from_nearest / from_density - 0.85) / 0.05));
+    scale.sampling_distance = from_density + regularity * (from_nearest - from_density);
+    scale.slope = median(m_slopes);
+    return scale;
+  }
+};
+
 inline Cloud_scale cloud_scale(const std::vector<Vector>& positions, const std::vector<double>& distances,
                                const std::vector<std::size_t>& queries)
 {
@@ -92,20 +94,17 @@ inline Cloud_scale cloud_scale(const std::vector<Vector>& positions, const std::
   typedef CGAL::Search_traits_adapter<std::size_t, Position_map, Base_traits> Traits;
   typedef CGAL::Orthogonal_k_neighbor_search<Traits> Search;
   typedef typename Search::Tree Tree;
-  constexpr std::size_t wanted = 16;
-  Cloud_scale scale;
   if (positions.size() < 2)
-    return scale;
+    return Cloud_scale();
   const Position_map map{positions.data()};
   const std::vector<std::size_t> unique = different_positions(positions);
   if (unique.size() < 2)
-    return scale;
+    return Cloud_scale();
   Tree tree(unique.begin(), unique.end(), typename Tree::Splitter(), Traits(map));
   tree.build();
   const typename Search::Distance metric(map);
-  std::vector<double> slopes;
-  std::vector<double> areas, nearest;
-  const unsigned int wanted_or_all = static_cast<unsigned int>((std::min)(wanted + 1, unique.size()));
+  Density_measures measures;
+  const unsigned int wanted_or_all = static_cast<unsigned int>((std::min)(density_neighbors + 1, unique.size()));
   for (std::size_t q : queries) {
     const Search search(tree, positions[q], wanted_or_all, 0., true, metric);
     std::size_t neighbors = 0;
@@ -119,21 +118,10 @@ inline Cloud_scale cloud_scale(const std::vector<Vector>& positions, const std::
       if (!distances.empty())
         slope = (std::max)(slope, std::abs(distances[q] - distances[neighbor.first]) / std::sqrt(last));
     }
-    if (neighbors == 0)
-      continue;
-    // a random cloud holds k - 1/3 points in the median of these discs, a regular one about k + 1/2
-    areas.push_back(CGAL_PI * last / (double(neighbors) + 0.1));
-    nearest.push_back(std::sqrt(first));
-    slopes.push_back(slope);
+    if (neighbors > 0)
+      measures.add(first, last, neighbors, slope);
   }
-  const double from_density = std::sqrt(0.82 * median(areas)), from_nearest = median(nearest);
-  if (!(from_density > 0.))
-    return scale;
-  // their ratio is 0.55 where the points are random, above 0.9 where they keep their distance
-  const double regularity = (std::min)(1., (std::max)(0., (from_nearest / from_density - 0.85) / 0.05));
-  scale.sampling_distance = from_density + regularity * (from_nearest - from_density);
-  scale.slope = median(slopes);
-  return scale;
+  return measures.scale();
 }
 
 } // namespace internal

@@ -111,6 +111,34 @@ public:
     return text.empty() ? "no data set at all" : text;
   }
 
+  bool find_rows(const std::string& name, std::vector<std::uint64_t>& shape) override
+  {
+    const Hdf5_handle dataset(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), &H5Dclose);
+    if(!find_shape(dataset, shape) || shape.empty())
+      return false;
+    const Hdf5_handle type(H5Dget_type(dataset.get()), &H5Tclose);
+    std::uint64_t count;
+    return type.is_valid() && is_number(type.get()) && check_content(dataset.get(), type.get(), shape, count).empty();
+  }
+
+  bool read_rows(const std::string& name, std::uint64_t first, std::uint64_t count, std::vector<double>& values,
+                 std::string& error) override
+  {
+    const Hdf5_handle dataset(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), &H5Dclose);
+    std::vector<std::uint64_t> shape;
+    std::uint64_t size = 0;
+    bool is_read = find_shape(dataset, shape) && !shape.empty() && find_number_of_values(shape, size);
+    if(is_read)
+    {
+      values.resize(static_cast<std::size_t>(size / shape[0] * count));
+      is_read = read_slab(dataset.get(), shape, first, count, [&](hid_t memory, hid_t space)
+        { return H5Dread(dataset.get(), H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data()); });
+    }
+    if(!is_read)
+      error = filename_ + ": its data set " + quote(name) + " " + failed_at(first);
+    return is_read;
+  }
+
   bool read(const std::string& name, Number_array& array, std::string& error) override
   {
     const std::string reason = read_dataset(name, array);
@@ -226,16 +254,24 @@ private:
     if(!is_number(type.get()))
       return "holds no numbers; floating point numbers or integers are needed";
     std::uint64_t count = 0;
-    const std::uint64_t bytes = H5Tget_size(type.get());
-    const std::uint64_t there = stored_size(dataset.get());
-    if(refers_to_other_files(dataset.get()))
+    const std::string reason = check_content(dataset.get(), type.get(), array.shape, count);
+    return reason.empty() ? read_all_rows(dataset.get(), array, count) : reason;
+  }
+
+  // whether an array of numbers can be as large as it says; gets the number of its values
+  std::string check_content(hid_t dataset, hid_t type, const std::vector<std::uint64_t>& shape,
+                            std::uint64_t& count) const
+  {
+    const std::uint64_t bytes = H5Tget_size(type);
+    const std::uint64_t there = stored_size(dataset);
+    if(refers_to_other_files(dataset))
       return "has its data in other files; put it into one, as h5py does if a new data set gets the array of the "
              "old one";
-    if(!find_number_of_values(array.shape, count) || (count > 0 && count > there * largest_compression / bytes))
-      return "promises the shape " + shape_text(array) + " of " + std::to_string(8 * bytes)
+    if(!find_number_of_values(shape, count) || (count > 0 && count > there * largest_compression / bytes))
+      return "promises the shape " + shape_text(shape) + " of " + std::to_string(8 * bytes)
              + " bit numbers, but has only " + std::to_string(there)
              + " bytes: it was never written completely, or the file is damaged";
-    return read_rows(dataset.get(), array, count);
+    return std::string();
   }
 
   // reads some rows of a data set by `read(memory space, file space)`
@@ -259,7 +295,7 @@ private:
            + "): the file is truncated or damaged; get a complete copy of it";
   }
 
-  static std::string read_rows(hid_t dataset, Number_array& array, std::uint64_t count)
+  static std::string read_all_rows(hid_t dataset, Number_array& array, std::uint64_t count)
   {
     if(array.shape.empty() || count == 0)
       return array.shape.empty() ? "is a single number, not an array" : std::string();

@@ -73,6 +73,14 @@ public:
   virtual const std::vector<std::string>& names() const = 0;
   virtual std::string contents_text() = 0;                       // for messages
   virtual bool read(const std::string& name, Number_array& array, std::string& error) = 0;
+
+  // whether an array is there that can be read by rows, and its shape
+  virtual bool find_rows(const std::string&, std::vector<std::uint64_t>&) { return false; }
+  virtual bool read_rows(const std::string&, std::uint64_t /*first*/, std::uint64_t /*count*/, std::vector<double>&,
+                         std::string&)
+  {
+    return false;
+  }
 };
 
 // names of the data set that says where the points of a patch are in the cloud
@@ -97,6 +105,9 @@ public:
     if(points_index == file.names().size())
       return fail(file.filename() + ": has no " + word + " " + quote(points_name) + "; it has: "
                   + file.contents_text() + ". Name the one that holds the points (points_dataset)");
+    Rows rows;
+    if(find_rows(file, file.names()[points_index], rows))
+      return read_by_rows(file, rows, sink);
     Number_array points, distances, indices;
     if(!file.read(file.names()[points_index], points, error_))
       return false;
@@ -174,6 +185,56 @@ private:
     return true;
   }
 
+  // points, and distances unless they come separately, that can be read some rows at a time
+  struct Rows
+  {
+    std::string points, distances;
+    std::uint64_t count = 0, points_per_row = 1;
+  };
+
+  // All else, and what is wrong, is for those who read whole arrays.
+  bool find_rows(Array_file& file, const std::string& points_name, Rows& rows) const
+  {
+    std::vector<std::uint64_t> shape, distances_shape;
+    std::uint64_t number_of_values;
+    if(options_.reads_indices || !file.find_rows(points_name, shape) || (shape.size() != 2 && shape.size() != 3)
+       || shape.back() != 3 || !find_number_of_values(shape, number_of_values))
+      return false;
+    rows.points = points_name;
+    rows.count = shape.front();
+    shape.pop_back();
+    rows.points_per_row = shape.size() == 2 ? shape.back() : 1;
+    if(options_.distances != nullptr)
+      return true;
+    std::size_t index;
+    if(!find_distances(file, options_, index) || !file.find_rows(file.names()[index], distances_shape))
+      return false;
+    rows.distances = file.names()[index];
+    if(distances_shape.size() == shape.size() + 1 && distances_shape.back() == 1)
+      distances_shape.pop_back();
+    return distances_shape == shape;
+  }
+
+  template <class Sink>
+  bool read_by_rows(Array_file& file, const Rows& rows, Sink& sink)
+  {
+    const std::uint64_t points_at_once = std::uint64_t(1) << 18;
+    const std::uint64_t step = (std::max)(std::uint64_t(1),
+                                          points_at_once / (std::max)(std::uint64_t(1), rows.points_per_row));
+    Number_array points, distances;
+    for(std::uint64_t first = 0; first < rows.count; first += step)
+    {
+      const std::uint64_t count = (std::min)(step, rows.count - first);
+      if(!file.read_rows(rows.points, first, count, points.values, error_)
+         || (!rows.distances.empty() && !file.read_rows(rows.distances, first, count, distances.values, error_)))
+        return false;
+      number_of_points_ = points.values.size() / 3;
+      if(!hand_out_some(file.filename(), points, distances, Number_array(), sink))
+        return false;
+    }
+    return filter_.is_cloud_usable(file.filename(), error_);
+  }
+
   // whether an array has one number per point
   static bool is_one_per_point(const Number_array& array, const Number_array& points, std::size_t number_of_points)
   {
@@ -246,6 +307,13 @@ private:
   bool hand_out(const std::string& filename, const Number_array& points, const Number_array& distances,
                 const Number_array& indices, Sink& sink)
   {
+    return hand_out_some(filename, points, distances, indices, sink) && filter_.is_cloud_usable(filename, error_);
+  }
+
+  template <class Sink>
+  bool hand_out_some(const std::string& filename, const Number_array& points, const Number_array& distances,
+                     const Number_array& indices, Sink& sink)
+  {
     std::vector<Distance_sample> chunk;
     for(std::size_t i = 0; i < number_of_points_; ++i)
     {
@@ -264,7 +332,7 @@ private:
         chunk.clear();
       }
     }
-    return filter_.is_cloud_usable(filename, error_);
+    return true;
   }
 
   const Cloud_reader_options& options_;

@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_DISTANCE_CLOUD_SOURCE_H
+#define CGAL_WIREFRAME_EXTRACTION_DISTANCE_CLOUD_SOURCE_H
+
+#include <functional>
+#include <string>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+
+/*!
+\ingroup PkgWireframeExtractionClasses
+
+The base of clouds that need not be in memory: they hand out their points chunk by chunk, as often as they are asked.
+`IO::Distance_cloud_file` is one; derive from this class what comes from elsewhere, for instance from a data base.
+
+\sa `extract_wireframe_from_source()`
+*/
+class Distance_cloud_source
+{
+public:
+  /// a point and its distance
+  struct Sample
+  {
+    double x;         ///< coordinate
+    double y;         ///< coordinate
+    double z;         ///< coordinate
+    double distance;  ///< distance to the nearest sharp feature
+  };
+
+  /// what takes a chunk of samples, and returns whether it wants more
+  typedef std::function<bool(const Sample* first, const Sample* beyond)> Sink;
+
+  virtual ~Distance_cloud_source() {}
+
+  /// hands out all samples, in the same order each time, unless the sink wants no more. Returns whether that went well;
+  /// if not, `error_message()` says why.
+  virtual bool read(const Sink& sink) = 0;
+
+  /// returns what went wrong, in one line; empty if nothing did.
+  virtual std::string error_message() const { return std::string(); }
+};
+
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_DISTANCE_CLOUD_SOURCE_H

@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_IO_DISTANCE_CLOUD_FILE_H
+#define CGAL_WIREFRAME_EXTRACTION_IO_DISTANCE_CLOUD_FILE_H
+
+#include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
+#include <CGAL/Wireframe_extraction/IO/read_distance_cloud.h>
+#include <CGAL/Wireframe_extraction/parameters.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace IO {
+
+/*!
+\ingroup PkgWireframeExtractionIO
+
+A point cloud with a distance per point that stays in its file, for clouds that are larger than the memory. The
+formats, and what makes a file wrong, are those of `read_distance_cloud()`.
+
+Files in the formats PLY, text, PCD, OFF and HDF5 are read chunk by chunk. Arrays of `.npy` and `.npz` files, and
+distances in a file of their own, are in memory while the cloud is read. The file is opened anew each time, so it
+cannot be a pipe.
+*/
+class Distance_cloud_file : public Wireframe_extraction::Distance_cloud_source
+{
+public:
+  /// takes the points and the distances from one file, once it is read.
+  /// \param filename the name of the file
+  /// \param np an optional sequence of named parameters among `distance_property`, `points_dataset`,
+  ///   `distances_dataset` and `skip_invalid`, with the meaning they have for `read_distance_cloud()`
+  template <typename CGAL_NP_TEMPLATE_PARAMETERS>
+  explicit Distance_cloud_file(const std::string& filename,
+                               const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+    : m_filename(filename), m_options(internal::get_cloud_reader_options<double>(np))
+  {}
+
+  /// takes the points from one file and the distances from another.
+  template <typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Distance_cloud_file(const std::string& filename, const std::string& distances_filename,
+                      const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+    : m_filename(filename), m_distances_filename(distances_filename), m_has_distances_file(true),
+      m_options(internal::get_cloud_reader_options<double>(np))
+  {}
+
+  /// reads the file.
+  bool read(const Sink& sink) override
+  {
+    m_error = internal::read_in_memory(m_filename, [&] { return read_file(sink); });
+    return m_error.empty();
+  }
+
+  /// returns what is wrong with the file, where, and what helps; empty if nothing is.
+  std::string error_message() const override { return m_error; }
+
+  /// returns how many points were left out when the file was read last, since they are invalid.
+  std::size_t number_of_skipped() const { return m_number_of_skipped; }
+
+private:
+  // turns the samples of the readers into those of a source
+  struct Chunk_sink
+  {
+    const Sink& sink;
+    std::vector<Sample> chunk;
+    bool is_stopped = false;
+
+    void reserve(std::size_t) {}
+
+    bool operator()(const internal::Distance_sample* first, const internal::Distance_sample* last)
+    {
+      chunk.clear();
+      for(; first != last; ++first)
+        chunk.push_back(Sample{ first->x, first->y, first->z, first->distance });
+      is_stopped = !sink(chunk.data(), chunk.data() + chunk.size());
+      return !is_stopped;
+    }
+  };
+
+  // returns what went wrong, nothing if all went well
+  std::string read_file(const Sink& sink)
+  {
+    internal::Separate_distances distances;
+    internal::Cloud_reader_options options = m_options;
+    if(m_has_distances_file)
+    {
+      const std::string error = internal::read_distances_file(m_distances_filename, options, distances);
+      if(!error.empty())
+        return error;
+      options.distances = &distances;
+    }
+    Chunk_sink chunks = { sink, {}, false };
+    const std::string error = internal::read_cloud(m_filename, options, chunks, m_number_of_skipped);
+    return chunks.is_stopped ? std::string() : error;
+  }
+
+  std::string m_filename, m_distances_filename;
+  bool m_has_distances_file = false;
+  internal::Cloud_reader_options m_options;
+  std::string m_error;
+  std::size_t m_number_of_skipped = 0;
+};
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_IO_DISTANCE_CLOUD_FILE_H

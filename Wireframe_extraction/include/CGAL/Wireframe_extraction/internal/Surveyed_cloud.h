@@ -1,0 +1,245 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SURVEYED_CLOUD_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SURVEYED_CLOUD_H
+
+#include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
+#include <CGAL/Wireframe_extraction/internal/Cloud_values.h>
+#include <CGAL/Wireframe_extraction/internal/Density_candidate.h>
+#include <CGAL/Wireframe_extraction/internal/Distance_histogram.h>
+#include <CGAL/Wireframe_extraction/internal/Neighbor_scan.h>
+#include <CGAL/Wireframe_extraction/parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+template <class NamedParameters>
+std::size_t points_in_memory(const NamedParameters& np)
+{
+  return static_cast<std::size_t>(CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, internal_np::points_in_memory), std::size_t(1) << 20));
+}
+
+// A cloud of which what all stages ask is known after it was read once. A small one is then in memory; a large one
+// stays where it is, and is read again whenever all points are wanted. What it tells is the same either way.
+class Surveyed_cloud
+{
+  typedef Distance_cloud_source::Sample Sample;
+
+  Distance_cloud_source& m_source;
+  Position_sample m_sample;
+  std::unique_ptr<Distance_histogram> m_histogram;
+  std::size_t m_number_of_points = 0, m_not_finite = 0, m_negative = 0, m_first_invalid = 0;
+  double m_smallest = (std::numeric_limits<double>::infinity)(), m_largest = 0.;
+  std::size_t m_number_of_largest = 0;
+  mutable std::string m_error;
+
+public:
+  Surveyed_cloud(Distance_cloud_source& source, std::size_t points_in_memory)
+    : m_source(source), m_sample(points_in_memory)
+  {}
+
+  std::size_t number_of_points() const { return m_number_of_points; }
+  std::size_t number_of_not_finite() const { return m_not_finite; }
+  std::size_t number_of_negative() const { return m_negative; }
+  std::size_t number_of_valid() const { return m_number_of_points - m_not_finite - m_negative; }
+  std::size_t first_invalid() const { return m_first_invalid; }
+  double smallest_distance() const { return m_smallest; }
+  double largest_distance() const { return m_largest; }
+
+  // why it could not be read; empty if it could
+  const std::string& error() const { return m_error; }
+
+  bool is_in_memory() const { return m_sample.is_complete(); }
+
+  // all points, or a sample of them
+  const Cloud_values& sample() const { return m_sample.values(); }
+
+  // reads it for the first time
+  bool survey()
+  {
+    const bool is_read = m_source.read([&](const Sample* first, const Sample* beyond) {
+      for (; first != beyond; ++first)
+        survey(*first);
+      return true;
+    });
+    m_sample.thin_out();
+    if (!is_read)
+      m_error = reason();
+    return is_read;
+  }
+
+  // calls `use(position, distance, index)` for every valid point
+  template <class Use>
+  void for_each(const Use& use) const
+  {
+    if (is_in_memory()) {
+      m_sample.values().for_each(use);
+      return;
+    }
+    if (!m_error.empty())
+      return;
+    std::size_t index = 0;
+    const bool is_read = m_source.read([&](const Sample* first, const Sample* beyond) {
+      for (; first != beyond; ++first, ++index)
+        if (is_finite(*first) && first->distance >= 0.)
+          use(Vector(first->x, first->y, first->z), first->distance, index);
+      return true;
+    });
+    if (!is_read)
+      m_error = reason();
+    else if (index != m_number_of_points)
+      m_error = "the cloud had " + std::to_string(m_number_of_points) + " points when it was read first, and "
+        + std::to_string(index) + " later; let it be unchanged meanwhile";
+  }
+
+  Cloud_scale scale() const
+  {
+    const std::vector<Density_candidate> queries = density_queries();
+    if (is_in_memory() && sample().size() <= least_to_scan) {
+      std::vector<std::size_t> indices;
+      for (const Density_candidate& query : queries)
+        indices.push_back(query.index);
+      return cloud_scale(sample().positions, sample().distances, indices);
+    }
+    Neighbor_scan scan;
+    for (const Density_candidate& query : queries)
+      scan.add_query(query.position, query.distance);
+    if (is_in_memory())
+      start_with_few(scan);
+    else
+      scan.start(sample().positions, sample().distances);
+    for_each([&scan](const Vector& position, double distance, std::size_t) { scan(position, distance); });
+    return scan.scale();
+  }
+
+private:
+  // from so many points on, looking at all of them is faster than a tree of all
+  static constexpr std::size_t least_to_scan = 65536;
+
+  void start_with_few(Neighbor_scan& scan) const
+  {
+    Position_sample few(sample().size() / 8);
+    sample().for_each([&few](const Vector& p, double distance, std::size_t index) { few.add(p, distance, index); });
+    few.thin_out();
+    scan.start(few.values().positions, few.values().distances);
+  }
+
+  static bool is_finite(const Sample& s)
+  {
+    return std::isfinite(s.x) && std::isfinite(s.y) && std::isfinite(s.z) && std::isfinite(s.distance);
+  }
+
+  std::string reason() const
+  {
+    const std::string text = m_source.error_message();
+    return text.empty() ? "the cloud cannot be read" : text;
+  }
+
+  void survey(const Sample& s)
+  {
+    const std::size_t index = m_number_of_points++;
+    const bool has_numbers = is_finite(s);
+    if (!has_numbers || !(s.distance >= 0.)) {
+      if (m_not_finite + m_negative == 0)
+        m_first_invalid = index;
+      ++(has_numbers ? m_negative : m_not_finite);
+      return;
+    }
+    if (m_sample.is_full())
+      start_histogram();
+    m_sample.add(Vector(s.x, s.y, s.z), s.distance, index);
+    if (m_histogram)
+      m_histogram->add(s.distance);
+    m_smallest = (std::min)(m_smallest, s.distance);
+    if (s.distance > m_largest) {
+      m_largest = s.distance;
+      m_number_of_largest = 0;
+    }
+    m_number_of_largest += s.distance == m_largest;
+  }
+
+  // from now on the points are too many to be in memory
+  void start_histogram()
+  {
+    m_histogram = std::make_unique<Distance_histogram>();
+    for (double distance : m_sample.values().distances)
+      m_histogram->add(distance);
+  }
+
+  // The points at which the density is measured. They are evenly spread over the ranks of the distances: the same
+  // points whatever the order of the cloud. Those at the largest value are left out, since a field is truncated there. The
+  // indices are those of the sample, if it is in memory.
+  std::vector<Density_candidate> density_queries() const
+  {
+    const std::size_t count = number_of_valid() - m_number_of_largest;
+    if (count < 64)   // the field is hardly known anywhere
+      return different_candidates(sample());
+    std::vector<std::size_t> ranks = spread_indices(count);
+    std::vector<Density_candidate> candidates = is_in_memory() ? all_candidates() : candidates_in_file(ranks);
+    std::sort(candidates.begin(), candidates.end(), &Density_candidate::is_before);
+    std::vector<Density_candidate> queries;
+    for (std::size_t rank : ranks)
+      if (rank < candidates.size())
+        queries.push_back(candidates[nearest_clear_one(candidates, rank)]);
+    return queries;
+  }
+
+  std::vector<Density_candidate> all_candidates() const
+  {
+    std::vector<Density_candidate> candidates;
+    for (std::size_t i = 0; i < sample().size(); ++i)
+      if (sample().distances[i] < m_largest)
+        candidates.emplace_back(sample().positions[i], sample().distances[i], i);
+    return candidates;
+  }
+
+  // Those points whose distances are in the same bins of the histogram as the wanted ones. The ranks become ranks among
+  // them.
+  std::vector<Density_candidate> candidates_in_file(std::vector<std::size_t>& ranks) const
+  {
+    std::vector<bool> is_wanted(Distance_histogram::number_of_bins, false);
+    std::size_t next = 0;
+    std::uint64_t passed_over = 0;
+    m_histogram->for_each_bin([&](Distance_histogram::Bin bin, std::uint64_t smaller, std::uint64_t number) {
+      if (next == ranks.size() || ranks[next] >= smaller + number) {
+        passed_over += number;
+        return;
+      }
+      is_wanted[bin] = true;
+      for (; next < ranks.size() && ranks[next] < smaller + number; ++next)
+        ranks[next] -= static_cast<std::size_t>(passed_over);
+    });
+    std::vector<Density_candidate> candidates;
+    for_each([&](const Vector& position, double distance, std::size_t index) {
+      if (is_wanted[Distance_histogram::bin(distance)] && distance < m_largest)
+        candidates.emplace_back(position, distance, index);
+    });
+    return candidates;
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SURVEYED_CLOUD_H
