@@ -107,14 +107,14 @@ public:
     double scale = (std::max)(least_scale, 0.6);
     for (int k = 0; k < options.iterations; ++k) {
       Parameters gradient;
-      accumulate(q, options, scale, hessian, gradient);
+      const double residual = accumulate(q, options, scale, hessian, gradient);
       const Parameters delta = hessian.ldlt().solve(gradient);
       const double length = delta.head<2>().norm() + delta.segment<2>(6).norm();
       q += length > 0.5 ? Parameters(0.5 / length * delta) : delta;
       if (length < 1e-4 && scale == least_scale)
         break;
-      // the outliers leave gradually, or the first guess would decide alone
-      scale = (std::max)(least_scale, 0.6 * scale);
+      // the outliers leave gradually, or the first guess would decide alone; where there are none, all is settled
+      scale = residual < least_scale ? least_scale : (std::max)(least_scale, 0.6 * scale);
     }
     const double bend_x = start.bend.dot(normal), bend_y = start.bend.dot(binormal);
     crease.curve.point = start.point + q[0] * normal + q[1] * binormal;
@@ -358,9 +358,11 @@ private:
     }
   };
 
-  void accumulate(const Parameters& q, const Crease_fit_options& options, double scale, Matrix& hessian,
-                  Parameters& gradient) const
+  // returns how far all points are from the strips, root mean square
+  double accumulate(const Parameters& q, const Crease_fit_options& options, double scale, Matrix& hessian,
+                    Parameters& gradient) const
   {
+    double squares = 0., total = 0.;
     Normal_sums sums;
     const Strips strips(q);
     const double surface_weight = 1. / (options.surface_noise * options.surface_noise);
@@ -382,6 +384,9 @@ private:
                        offset.across);
       }
       const double distance = std::sqrt(offset.x * offset.x + offset.y * offset.y);
+      const double miss = offset.is_valid ? offset.across : distance;
+      squares += p.weight * miss * miss;
+      total += p.weight;
       if (distance > 1e-9) {
         const double per_distance = 1. / (std::max)(distance, 0.05);
         const double e = p.distance - q[12] - distance;
@@ -402,6 +407,7 @@ private:
         gradient[k] -= information * q[k];
     }
     hessian = hessian.selfadjointView<Eigen::Upper>();
+    return total > 0. ? std::sqrt(squares / total) : 0.;
   }
 
   void measure(const Parameters& q, const Crease_fit_options& options, Crease& crease, const Matrix& hessian) const

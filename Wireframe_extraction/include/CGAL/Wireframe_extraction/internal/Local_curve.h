@@ -145,9 +145,10 @@ public:
   double refine_with_best_radius(Local_curve& curve, const Local_fit_options& options, const Refine& refine_one)
   {
     static constexpr double factors[] = {1.6, 1., 0.6, 0.4};
+    static constexpr double good_enough = 0.02;     // whatever the others are
     Local_curve fits[4];
     double residuals[4], best = 1.;
-    for (int k = 0; k < 4; ++k) {
+    for (int k = 0; k < 4 && (k == 0 || residuals[0] > good_enough); ++k) {
       fits[k] = curve;
       Local_fit_options scaled = options;
       scaled.radius *= factors[k];
@@ -157,7 +158,7 @@ public:
       best = (std::min)(best, residuals[k]);
     }
     int chosen = 0;
-    while (residuals[chosen] > 1.35 * best + 0.02)
+    while (residuals[chosen] > 1.35 * best + good_enough)
       ++chosen;
     curve = fits[chosen];
     return residuals[chosen];
