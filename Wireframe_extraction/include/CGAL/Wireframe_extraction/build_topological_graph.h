@@ -134,8 +134,9 @@ builds the topological graph of a wireframe: polylines that end in corners.
 
 - `Graph_method::TRACED`: from the points of the clusters, best fits first, curves are traced through the field, step by
   step, as long as it agrees with them; then from points that these curves leave unexplained. What is not needed to
-  explain the field is dropped. The ends of the curves are beliefs about corners, sure across the curve and unsure along
-  it: ends whose beliefs agree are joined, ends next to the inside of another curve split it, ends that face each other
+  explain the field is dropped, and so is a curve that runs over a smooth surface: where the points around it (kept if
+  `use_creases` was not switched off) are a graph over a plane, a fold of less than 17 degrees, beyond doubt. The ends of
+  the curves are beliefs about corners, sure across the curve and unsure along it: ends whose beliefs agree are joined, ends next to the inside of another curve split it, ends that face each other
   over a gap are bridged, short curves between corners are added where the field asks for them. Splines fitted to the
   field replace the polylines, and their ends are joined in the same way once more. The corners handed over only matter
   in that their points are no seeds.
