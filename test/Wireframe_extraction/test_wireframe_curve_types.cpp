@@ -153,15 +153,16 @@ void test_fits()
       const std::vector<Station> stations = stations_on(curve, -0.5 * sweep, 0.5 * sweep, count, deviation);
       const Primitive_fit fit(kind, Station_range(stations, 0, count));
       assert(fit.is_valid);
+      const Primitive_fit::Covariance covariance = fit.covariance(Station_range(stations, 0, count));
       refused += fit.misfit.probability(curve.number_of_parameters()) < 0.001;
       if (kind == Primitive_kind::LINE) {
         position += (fit.curve.center - curve.foot(fit.curve.center)).squaredNorm()
-          / (fit.covariance(0, 0) + fit.covariance(1, 1));
+          / (covariance(0, 0) + covariance(1, 1));
         assert(std::abs(fit.curve.axis.dot(curve.axis)) > 1. - 1e-2);
       } else {
-        position += (fit.curve.center - curve.center).squaredNorm() / fit.covariance.topLeftCorner<3, 3>().trace();
+        position += (fit.curve.center - curve.center).squaredNorm() / covariance.topLeftCorner<3, 3>().trace();
         const int r = kind == Primitive_kind::CIRCLE ? 5 : 6;
-        radius += std::pow(fit.curve.major_radius - curve.major_radius, 2) / fit.covariance(r, r);
+        radius += std::pow(fit.curve.major_radius - curve.major_radius, 2) / covariance(r, r);
       }
     }
     assert(refused <= 5);
