@@ -116,15 +116,18 @@ void test_nearest_feet()
   assert(valid > 300 && valid < 2700);
 }
 
-// two half-planes that leave the x-axis, each turned down by half of `fold`
-Field_band folded_surface(double fold, double noise, double curvature, std::mt19937& random)
+// Two half-planes that leave the x-axis, each turned down by half of `fold`; turned up where x is positive if it
+// `changes_sides`.
+Field_band folded_surface(double fold, double noise, double curvature, std::mt19937& random, bool changes_sides = false)
 {
   std::normal_distribution<double> error(0., 1.);
   std::uniform_real_distribution<double> along(-12., 12.), across(-6., 6.);
   Field_band band;
   for (int k = 0; k < 24 * 12; ++k) {
     const double s = along(random), x = across(random);
-    band.points.push_back(Vector(s, x * std::cos(0.5 * fold), -std::abs(x) * std::sin(0.5 * fold) + 0.5 * curvature * x * x)
+    const double side = changes_sides && s > 0. ? -1. : 1.;
+    band.points.push_back(Vector(s, x * std::cos(0.5 * fold),
+                                 -side * std::abs(x) * std::sin(0.5 * fold) + 0.5 * curvature * x * x)
                           + noise * Vector(error(random), error(random), error(random)));
   }
   band.search.build(band.points, band.points.size());
@@ -147,6 +150,12 @@ void test_surface_evidence()
         const double slope = std::tan(0.5 * fold);
         assert(std::abs(found.slope - slope) < 0.02 + 0.15 * slope + 4. * found.deviation);
       }
+  // a fold up and a fold down do not make a smooth surface
+  for (double degrees : {45., 90.}) {
+    const Field_band band = folded_surface(degrees * CGAL_PI / 180., 0.05, 0., random, true);
+    const Surface_evidence::Fold found = Surface_evidence(band).folds({&curve})[0];
+    assert(!found.is_known || found.slope > 0.15);
+  }
   // what is folded sharply is not a graph over the plane of most of its points, but never smooth either
   for (double degrees : {120., 150., 165.}) {
     const Field_band band = folded_surface(degrees * CGAL_PI / 180., 0.02, 0., random);

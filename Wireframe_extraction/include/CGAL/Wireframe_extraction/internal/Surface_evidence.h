@@ -14,6 +14,8 @@
 #include <CGAL/Wireframe_extraction/internal/Polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
 
+#include <CGAL/number_utils.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
@@ -174,7 +176,7 @@ private:
   static Fold combine(std::vector<Window>& windows, double noise)
   {
     Fold fold;
-    double sum = 0., total = 0.;
+    double sum = 0., sum_of_sizes = 0., sum_of_deviations = 0., total = 0.;
     std::size_t known = 0;
     Vector previous = Vector::Zero();
     for (Window& window : windows) {
@@ -184,12 +186,17 @@ private:
       previous = sign * window.normal;
       const double weight = 1. / (window.deviation * window.deviation);
       sum += weight * sign * window.slope;
+      sum_of_sizes += weight * std::abs(window.slope);
+      sum_of_deviations += weight * window.deviation;
       total += weight;
       ++known;
     }
     fold.is_known = known > 0 && 2 * known >= windows.size();
     if (fold.is_known) {
-      fold.slope = std::abs(sum / total);
+      // Where the surface is smooth, the slopes are errors, and their mean size is that of a normal distribution; a fold that
+      // is convex in some windows and concave in others shows in the sizes only.
+      const double beyond_errors = (sum_of_sizes - std::sqrt(2. / CGAL_PI) * sum_of_deviations) / total;
+      fold.slope = (std::max)(std::abs(sum / total), beyond_errors);
       fold.deviation = std::sqrt(1. / total);
     }
     return fold;
