@@ -150,6 +150,21 @@ void test_surface_evidence()
         const double slope = std::tan(0.5 * fold);
         assert(std::abs(found.slope - slope) < 0.02 + 0.15 * slope + 4. * found.deviation);
       }
+  // the edge of a thin wall is no smooth surface, even if there is nothing else
+  for (double thickness : {1., 2., 3.}) {
+    std::uniform_real_distribution<double> share(0., 1.);
+    std::normal_distribution<double> error(0., 0.25);
+    Field_band wall;
+    for (int k = 0; k < 24 * 14; ++k) {
+      const double s = 24. * share(random) - 12., place = (12. + thickness) * share(random) - 6.;
+      const double across = place < 0. ? -0.5 : place > thickness ? 0.5 : place / thickness - 0.5;
+      const double along = place < 0. ? -place : place > thickness ? place - thickness : 0.;
+      wall.points.push_back(Vector(s, across * thickness, -along) + Vector(error(random), error(random), error(random)));
+    }
+    wall.search.build(wall.points, wall.points.size());
+    const Surface_evidence::Fold found = Surface_evidence(wall).folds({&curve})[0];
+    assert(!found.is_known || found.slope + found.deviation > 0.15);
+  }
   // a fold up and a fold down do not make a smooth surface
   for (double degrees : {45., 90.}) {
     const Field_band band = folded_surface(degrees * CGAL_PI / 180., 0.05, 0., random, true);

@@ -53,6 +53,7 @@ class Surface_evidence
 
   static constexpr double reach = 3., window_length = 3.;
   static constexpr std::size_t least_samples = 10;
+  static constexpr double most_residual = 0.45;     // no noise of positions is larger; points of thin walls spread as much
 
 public:
   // tangent of half the angle by which the surface folds, and its standard deviation
@@ -180,7 +181,7 @@ private:
     std::size_t known = 0;
     Vector previous = Vector::Zero();
     for (Window& window : windows) {
-      if (!fit(window, noise) || window.residual > 2. * noise + 0.04)
+      if (!fit(window, noise) || window.residual > (std::min)(2. * noise + 0.04, most_residual))
         continue;
       const double sign = window.normal.dot(previous) < 0. ? -1. : 1.;
       previous = sign * window.normal;
