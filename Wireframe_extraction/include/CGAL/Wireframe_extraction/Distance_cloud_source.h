@@ -41,6 +41,7 @@ public:
   /// what takes a chunk of samples, and returns whether it wants more
   typedef std::function<bool(const Sample* first, const Sample* beyond)> Sink;
 
+  /// destroys what was derived from it.
   virtual ~Distance_cloud_source() {}
 
   /// hands out all samples, in the same order each time, unless the sink wants no more. Returns whether that went well;

@@ -68,6 +68,7 @@ public:
   std::size_t number_of_skipped() const { return m_number_of_skipped; }
 
 private:
+  /// \cond SKIP_IN_MANUAL
   // turns the samples of the readers into those of a source
   struct Chunk_sink
   {
@@ -86,6 +87,7 @@ private:
       return !is_stopped;
     }
   };
+  /// \endcond
 
   // returns what went wrong, nothing if all went well
   std::string read_file(const Sink& sink)

@@ -44,8 +44,8 @@ struct Density_candidate
   }
 };
 
-// Of sorted candidates the nearest to a rank whose distance no other position has, so that a moved cloud has the same;
-// if all similar distances are ambiguous, as those of a coarse field are, the one of this rank.
+// Of sorted candidates the nearest to a rank whose distance no other position has, so that a moved cloud has the same.
+// Returns their number if all similar distances are ambiguous, as the zeros of a field with errors are.
 inline std::size_t nearest_clear_one(const std::vector<Density_candidate>& candidates, std::size_t rank)
 {
   const auto is_clear = [&](std::size_t i) {
@@ -65,7 +65,7 @@ inline std::size_t nearest_clear_one(const std::vector<Density_candidate>& candi
     if (goes_down && is_clear(rank - step))
       return rank - step;
   }
-  return rank;
+  return candidates.size();
 }
 
 // the different positions with the smallest hashes

@@ -191,17 +191,21 @@ private:
   // indices are those of the sample, if it is in memory.
   std::vector<Density_candidate> density_queries() const
   {
+    static constexpr std::size_t least = 64;
     const std::size_t count = number_of_valid() - m_number_of_largest;
-    if (count < 64)   // the field is hardly known anywhere
+    if (count < least)   // the field is hardly known anywhere
       return different_candidates(sample());
     std::vector<std::size_t> ranks = spread_indices(count);
     std::vector<Density_candidate> candidates = is_in_memory() ? all_candidates() : candidates_in_file(ranks);
     std::sort(candidates.begin(), candidates.end(), &Density_candidate::is_before);
     std::vector<Density_candidate> queries;
-    for (std::size_t rank : ranks)
-      if (rank < candidates.size())
-        queries.push_back(candidates[nearest_clear_one(candidates, rank)]);
-    return queries;
+    for (std::size_t rank : ranks) {
+      const std::size_t clear = rank < candidates.size() ? nearest_clear_one(candidates, rank) : candidates.size();
+      if (clear < candidates.size())
+        queries.push_back(candidates[clear]);
+    }
+    // a coarse field tells no points apart
+    return queries.size() < least ? different_candidates(sample()) : queries;
   }
 
   std::vector<Density_candidate> all_candidates() const

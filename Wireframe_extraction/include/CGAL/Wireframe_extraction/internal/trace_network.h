@@ -104,7 +104,8 @@ private:
     return network;
   }
 
-  // returns which of the curves the surface does not rule out
+  // Returns which of the curves the surface does not rule out. If it rules out all, the cloud is no surface with folds,
+  // and the field alone counts.
   std::vector<char> folded(const std::vector<const std::vector<Vector>*>& polylines) const
   {
     // of half the fold's angle: the surface turns by less than 17 degrees, beyond doubt
@@ -113,6 +114,9 @@ private:
     std::vector<char> keep(polylines.size());
     for (std::size_t c = 0; c < polylines.size(); ++c)
       keep[c] = polylines[c] && !(folds[c].is_known && folds[c].slope + folds[c].deviation < least_slope);
+    if (std::find(keep.begin(), keep.end(), 1) == keep.end())
+      for (std::size_t c = 0; c < polylines.size(); ++c)
+        keep[c] = polylines[c] != nullptr;
     return keep;
   }
 
