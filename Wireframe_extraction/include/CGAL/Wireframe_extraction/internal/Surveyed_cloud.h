@@ -198,14 +198,18 @@ private:
     std::vector<std::size_t> ranks = spread_indices(count);
     std::vector<Density_candidate> candidates = is_in_memory() ? all_candidates() : candidates_in_file(ranks);
     std::sort(candidates.begin(), candidates.end(), &Density_candidate::is_before);
-    std::vector<Density_candidate> queries;
+    std::vector<Density_candidate> queries, clear_queries;
     for (std::size_t rank : ranks) {
-      const std::size_t clear = rank < candidates.size() ? nearest_clear_one(candidates, rank) : candidates.size();
-      if (clear < candidates.size())
-        queries.push_back(candidates[clear]);
+      if (rank >= candidates.size())
+        continue;
+      const std::size_t clear = nearest_clear_one(candidates, rank);
+      const bool is_clear = clear < candidates.size();
+      queries.push_back(candidates[is_clear ? clear : rank]);
+      if (is_clear)
+        clear_queries.push_back(candidates[clear]);
     }
-    // a coarse field tells no points apart
-    return queries.size() < least ? different_candidates(sample()) : queries;
+    // a coarse field tells hardly any points apart
+    return clear_queries.size() < least ? queries : clear_queries;
   }
 
   std::vector<Density_candidate> all_candidates() const
