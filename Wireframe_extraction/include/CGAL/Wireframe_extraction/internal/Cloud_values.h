@@ -47,7 +47,8 @@ struct Cloud_values
   {
     for (std::size_t i = 0; i < positions.size(); ++i)
       use(positions[i], distances[i], indices[i]);
-  }};
+  }
+};
 
 // a number that looks random, the same for equal positions
 inline std::uint64_t position_hash(const Vector& position)

@@ -228,18 +228,17 @@ private:
 
     void at(double s, double& c, double& v) const
     {
-      // angles are small there, so that a few terms of the series are as good as the functions themselves
-      const double a = s * twist;
+      const double a = s * twist, aa = a * a;
+      double sine_of_turn, cosine_of_turn;
       if (std::abs(a) > 0.5) {
-        const double sine_of_turn = std::sin(a), cosine_of_turn = std::cos(a);
-        c = cosine * cosine_of_turn - sine * sine_of_turn;
-        v = sine * cosine_of_turn + cosine * sine_of_turn;
-        return;
+        sine_of_turn = std::sin(a);
+        cosine_of_turn = std::cos(a);
+      } else {
+        // most angles are small, so that a few terms of the series are as good as the functions themselves
+        sine_of_turn = a * (1. - aa / 6. * (1. - aa / 20. * (1. - aa / 42. * (1. - aa / 72. * (1. - aa / 110.)))));
+        cosine_of_turn
+          = 1. - aa / 2. * (1. - aa / 12. * (1. - aa / 30. * (1. - aa / 56. * (1. - aa / 90. * (1. - aa / 132.)))));
       }
-      const double aa = a * a;
-      const double sine_of_turn = a * (1. - aa / 6. * (1. - aa / 20. * (1. - aa / 42. * (1. - aa / 72. * (1. - aa / 110.)))));
-      const double cosine_of_turn
-        = 1. - aa / 2. * (1. - aa / 12. * (1. - aa / 30. * (1. - aa / 56. * (1. - aa / 90. * (1. - aa / 132.)))));
       c = cosine * cosine_of_turn - sine * sine_of_turn;
       v = sine * cosine_of_turn + cosine * sine_of_turn;
     }

@@ -106,14 +106,6 @@ public:
     return stations;
   }
 
-  static std::vector<double> arc_lengths(const std::vector<Vector>& polyline)
-  {
-    std::vector<double> lengths(polyline.size(), 0.);
-    for (std::size_t k = 1; k < polyline.size(); ++k)
-      lengths[k] = lengths[k - 1] + (polyline[k] - polyline[k - 1]).norm();
-    return lengths;
-  }
-
 private:
   // moves the station across the curve until the residuals of its points are least
   void locate(const std::vector<const Curve_support*>& members, Station& station) const

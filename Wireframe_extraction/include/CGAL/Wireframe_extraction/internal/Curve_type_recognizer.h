@@ -124,7 +124,7 @@ private:
   {
     Candidate result;
     result.stations = std::move(stations);
-    result.length = Curve_stations::arc_lengths(curve.polyline).back();
+    result.length = arc_lengths(curve.polyline).back();
     if (!curve.is_closed_without_vertex())
       loosen_ends(result.stations, result.length);
     // no spline can use more parameters than there are observations

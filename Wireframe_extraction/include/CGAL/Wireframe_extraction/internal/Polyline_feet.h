@@ -22,6 +22,15 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
+// from the first point of a polyline to each of its points
+inline std::vector<double> arc_lengths(const std::vector<Vector>& polyline)
+{
+  std::vector<double> lengths(polyline.size(), 0.);
+  for (std::size_t k = 1; k < polyline.size(); ++k)
+    lengths[k] = lengths[k - 1] + (polyline[k] - polyline[k - 1]).norm();
+  return lengths;
+}
+
 // The nearest place on a polyline.
 struct Polyline_foot
 {

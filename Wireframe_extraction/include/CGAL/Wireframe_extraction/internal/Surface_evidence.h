@@ -92,10 +92,7 @@ private:
     for (std::size_t c = 0; c < polylines.size(); ++c) {
       if (!polylines[c])
         continue;
-      const std::vector<Vector>& points = *polylines[c];
-      lengths[c].assign(1, 0.);
-      for (std::size_t k = 1; k < points.size(); ++k)
-        lengths[c].push_back(lengths[c].back() + (points[k] - points[k - 1]).norm());
+      lengths[c] = arc_lengths(*polylines[c]);
       windows[c].resize((std::max)(std::size_t(1), static_cast<std::size_t>(lengths[c].back() / window_length + 0.5)));
     }
     const std::vector<Polyline_foot> feet = nearest_feet(m_surroundings, polylines, reach);

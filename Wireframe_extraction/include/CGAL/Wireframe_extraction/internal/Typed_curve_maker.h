@@ -114,7 +114,7 @@ private:
   // a spline along a part of the polyline, from vertex to vertex
   Cubic_spline part(const Typed_piece& piece, const std::vector<Vector>& polyline) const
   {
-    const std::vector<double> lengths = Curve_stations::arc_lengths(polyline);
+    const std::vector<double> lengths = arc_lengths(polyline);
     const double begin = piece.range[0], size = piece.range[1] - begin;
     const std::size_t count = (std::max)(std::size_t(16), std::size_t(std::ceil(4. * size)));
     std::vector<double> parameters;
@@ -176,7 +176,7 @@ private:
     Primitive_curve shape = piece.shape;
     const Vector start = has_vertex ? m_vertices[piece.vertices[0]] : shape.foot(polyline.front());
     const Vector end = has_vertex ? m_vertices[piece.vertices[1]] : start;
-    const std::vector<double> lengths = Curve_stations::arc_lengths(polyline);
+    const std::vector<double> lengths = arc_lengths(polyline);
     const Vector middle = is_closed ? at(polyline, lengths, piece.range[0] + 0.25 * lengths.back()) : piece.middle;
     double begin = shape.parameter(start), to_middle = turn(begin, shape.parameter(middle));
     double sweep = is_closed ? 2. * CGAL_PI : turn(begin, shape.parameter(end));
