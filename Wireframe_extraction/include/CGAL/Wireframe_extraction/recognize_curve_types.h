@@ -38,6 +38,28 @@ namespace Wireframe_extraction {
 
 namespace internal {
 
+// at equal steps of the parameter
+template <class GeomTraits>
+std::vector<Vector> sample(const Wireframe_skeleton<GeomTraits>& skeleton, const Wireframe_curve<GeomTraits>& curve,
+                           std::size_t count)
+{
+  const auto range = curve.spline.parameter_range();
+  std::vector<Vector> positions;
+  for (std::size_t k = 0; k <= count; ++k) {
+    const typename GeomTraits::FT share(double(k) / double(count));
+    positions.push_back(skeleton.to_local(curve.spline.point(range.first + share * (range.second - range.first))));
+  }
+  return positions;
+}
+
+inline double longest_step(const std::vector<Vector>& polyline)
+{
+  double longest = 0.;
+  for (std::size_t k = 1; k < polyline.size(); ++k)
+    longest = (std::max)(longest, (polyline[k] - polyline[k - 1]).norm());
+  return longest;
+}
+
 template <class GeomTraits>
 Untyped_curve untyped(const Wireframe_skeleton<GeomTraits>& skeleton, const Wireframe_curve<GeomTraits>& curve)
 {
@@ -46,11 +68,11 @@ Untyped_curve untyped(const Wireframe_skeleton<GeomTraits>& skeleton, const Wire
   result.vertices = {{curve.source, curve.target}};
   result.number_of_parameters = 3. * double(curve.spline.control_points().size());
   const double length = CGAL::to_double(curve.spline.length()) / skeleton.unit();
-  const std::size_t count = (std::max)(std::size_t(16), std::size_t(std::ceil(length / step)));
-  std::vector<typename GeomTraits::Point_3> points;
-  curve.spline.sample_by_count(count + 1, std::back_inserter(points));
-  for (const typename GeomTraits::Point_3& p : points)
-    result.polyline.push_back(skeleton.to_local(p));
+  std::size_t count = (std::max)(std::size_t(16), std::size_t(std::ceil(length / step)));
+  result.polyline = sample(skeleton, curve, count);
+  // the parameter of a fitted spline is nearly its arc length, that of others may not be
+  for (int k = 0; k < 10 && longest_step(result.polyline) > 2. * step; ++k)
+    result.polyline = sample(skeleton, curve, count *= 2);
   if (curve.is_closed())
     result.polyline.back() = result.polyline.front();
   return result;

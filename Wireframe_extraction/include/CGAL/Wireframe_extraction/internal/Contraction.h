@@ -16,6 +16,7 @@
 #include <CGAL/Wireframe_extraction/internal/for_each_piece.h>
 #include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct Contraction
   std::vector<double> residuals;   // of the field close to the foot, in sampling distances
   double noise = 0.;               // the median of the residuals
   std::vector<Traced_curve> creases;   // curves along creases of the surface, where these were looked for
+
+  // whether the field is so good that the surface adds nothing
+  bool is_precise() const { return noise < 0.03; }
 };
 
 inline Contraction contract(const Field_band& band, double radius)
@@ -37,11 +41,14 @@ inline Contraction contract(const Field_band& band, double radius)
   Contraction result;
   result.curves.resize(band.skeleton_size);
   result.residuals.resize(band.skeleton_size);
-  for_each_piece(band.skeleton_size, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::size_t> order = band.search.spatial_order();
+  order.erase(std::remove_if(order.begin(), order.end(), [&](std::size_t i) { return i >= band.skeleton_size; }), order.end());
+  for_each_piece(order.size(), [&](std::size_t begin, std::size_t end) {
     Local_curve_fit fit(band);
     Local_fit_options options;
     options.radius = radius;
-    for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::size_t i = order[k];
       result.residuals[i] = fit.refine_with_best_radius(
         result.curves[i], options, [&](Local_curve& curve, const Local_fit_options& scaled) {
           curve = fit.principal_axis(band.points[i], scaled.radius);
@@ -56,6 +63,7 @@ inline Contraction contract(const Field_band& band, double radius)
           if (side < 0.)
             curve.tangent = -curve.tangent;
         });
+    }
   });
   result.noise = median(result.residuals);
   return result;

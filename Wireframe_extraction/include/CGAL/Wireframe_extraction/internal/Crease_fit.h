@@ -235,9 +235,10 @@ private:
         cosine_of_turn = std::cos(a);
       } else {
         // most angles are small, so that a few terms of the series are as good as the functions themselves
-        sine_of_turn = a * (1. - aa / 6. * (1. - aa / 20. * (1. - aa / 42. * (1. - aa / 72. * (1. - aa / 110.)))));
-        cosine_of_turn
-          = 1. - aa / 2. * (1. - aa / 12. * (1. - aa / 30. * (1. - aa / 56. * (1. - aa / 90. * (1. - aa / 132.)))));
+        static constexpr double s3 = 1. / 6., s5 = s3 / 20., s7 = s5 / 42., s9 = s7 / 72., s11 = s9 / 110.;
+        static constexpr double c2 = 1. / 2., c4 = c2 / 12., c6 = c4 / 30., c8 = c6 / 56., c10 = c8 / 90., c12 = c10 / 132.;
+        sine_of_turn = a * (1. - aa * (s3 - aa * (s5 - aa * (s7 - aa * (s9 - aa * s11)))));
+        cosine_of_turn = 1. - aa * (c2 - aa * (c4 - aa * (c6 - aa * (c8 - aa * (c10 - aa * c12)))));
       }
       c = cosine * cosine_of_turn - sine * sine_of_turn;
       v = sine * cosine_of_turn + cosine * sine_of_turn;

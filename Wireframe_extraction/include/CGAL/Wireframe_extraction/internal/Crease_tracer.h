@@ -27,7 +27,22 @@ namespace internal {
 struct Crease_path
 {
   std::vector<Crease> creases;
+  std::vector<Local_curve> fronts;      // where it was asked whether the curve is traced already
   bool is_closed = false;
+};
+
+// The curves along creases that were kept: no later one is traced along them.
+class Traced_creases
+{
+  Segment_grid m_segments;
+  std::size_t m_size = 0;
+
+public:
+  void add(const std::vector<Vector>& polyline) { m_segments.add(m_size++, polyline); }
+  std::size_t size() const { return m_size; }
+
+  // whether one of them runs along a front
+  bool hold(const Local_curve& front, double reach) const { return m_size > 0 && runs_along(m_segments, front, reach); }
 };
 
 // Follows creases of the surface, from one that the field asked for, step by step as far as the surface is folded.
@@ -36,9 +51,8 @@ class Crease_tracer
   const Field_band& m_band;
   Crease_fit_options m_options;
   double m_field_noise;
+  const Traced_creases& m_traced;
   Crease_fit m_fit;
-  Segment_grid m_traced;
-  std::size_t m_number_of_traced = 0;
   std::vector<std::size_t> m_ball;
 
   static constexpr double step = 0.5;
@@ -48,8 +62,8 @@ class Crease_tracer
 
 public:
   // `options.field_noise` is the noise of the field, which only decides where the field agrees
-  Crease_tracer(const Field_band& band, const Crease_fit_options& options)
-    : m_band(band), m_options(options), m_field_noise(options.field_noise), m_fit(band)
+  Crease_tracer(const Field_band& band, const Crease_fit_options& options, const Traced_creases& traced)
+    : m_band(band), m_options(options), m_field_noise(options.field_noise), m_traced(traced), m_fit(band)
   {
     m_options.field_noise = 100.;
   }
@@ -68,20 +82,27 @@ public:
       && crease.fold > (std::max)(0.3, 2.5 * crease.fold_deviation);
   }
 
-  bool is_traced(const Local_curve& front) const { return runs_along(m_traced, front, reach()); }
+  bool is_traced(const Local_curve& front) const { return m_traced.hold(front, reach()); }
+
+  // whether a path would be another if some more curves had been kept before
+  bool depends_on(const Traced_creases& more, const Crease_path& path) const
+  {
+    return std::any_of(path.fronts.begin(), path.fronts.end(),
+                       [&](const Local_curve& front) { return more.hold(front, reach()); });
+  }
 
   Crease_path trace(const Crease& seed)
   {
     Crease_path path;
     std::vector<Crease> forward, backward;
     Segment_grid own;
-    path.is_closed = follow(seed, own, forward);
+    path.is_closed = follow(seed, own, forward, path.fronts);
     if (!path.is_closed) {
       Crease reversed = seed;
       reversed.curve.tangent = -seed.curve.tangent;
       for (std::size_t k = trail; k < forward.size(); ++k)
         own.add(0, {forward[k - 1].curve.point, forward[k].curve.point});
-      follow(reversed, own, backward);
+      follow(reversed, own, backward, path.fronts);
     }
     for (auto it = backward.rbegin(); it != backward.rend(); ++it) {
       path.creases.push_back(*it);
@@ -107,9 +128,6 @@ public:
     return curve;
   }
 
-  // no later curve is traced along this one
-  void keep(const Traced_curve& curve) { m_traced.add(m_number_of_traced++, curve.points); }
-
   // share of the points along a curve where the field agrees with it
   double share_of_support(const std::vector<Vector>& points)
   {
@@ -130,7 +148,7 @@ private:
   double reach() const { return 0.4 + m_options.surface_noise; }
 
   // whether it came back to where it began
-  bool follow(const Crease& start, Segment_grid& own, std::vector<Crease>& path)
+  bool follow(const Crease& start, Segment_grid& own, std::vector<Crease>& path, std::vector<Local_curve>& fronts)
   {
     Crease front = start;       // the last one that is sure
     Local_curve predicted = start.curve;
@@ -144,6 +162,7 @@ private:
       const bool is_sure = fit_ahead(ahead, front, next);
       predicted = is_sure ? next.curve : ahead;
       length += (predicted.point - last).norm();
+      fronts.push_back(predicted);
       if (is_traced(predicted) || runs_along(own, predicted, reach())) {
         if (++covered == 3) {
           path.resize(path.size() - (std::min)(path.size(), std::size_t(2)));

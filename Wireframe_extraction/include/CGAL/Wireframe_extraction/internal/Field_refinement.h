@@ -38,6 +38,7 @@ class Field_refinement
   std::vector<Vector> m_positions;       // theirs
   Ball_search m_search;                  // among them
   std::vector<Crease> m_creases;         // those of the places come first
+  Traced_creases m_traced;
   std::vector<Traced_curve> m_curves;   // along creases
 
   struct Average
@@ -95,9 +96,11 @@ public:
     deviations.assign(m_band.size(), 0.);
     is_on_crease.assign(m_band.size(), 0);
     const Ball_search search(feet);
-    for_each_piece(m_band.size(), [&](std::size_t begin, std::size_t end) {
+    const std::vector<std::size_t> order = m_band.search.spatial_order();
+    for_each_piece(order.size(), [&](std::size_t begin, std::size_t end) {
       std::vector<std::size_t> found;
-      for (std::size_t i = begin; i < end; ++i) {
+      for (std::size_t n = begin; n < end; ++n) {
+        const std::size_t i = order[n];
         search.query(m_band.points[i], (std::min)(3., m_band.distances[i]) + 1.5, found);
         Average any, strong;
         double nearest = 10., deviation_of_nearest = 0.;
@@ -157,10 +160,40 @@ private:
   // it is there whatever the field says
   bool is_strong(const Crease& crease) const { return is_good(crease) && crease.is_sharp(); }
 
-  // Follows strong creases, also to where the field did not show them.
+  // Follows strong creases, also to where the field did not show them. Several are followed at the same time, before it
+  // is known whether those with better seeds will cover them: if they do, it was in vain and is done again. So the curves
+  // are those that come about one after the other.
   void trace_creases()
   {
-    Crease_tracer tracer(m_band, m_options);
+    const std::vector<std::size_t> seeds = crease_seeds();
+    std::size_t end = 0;
+    for (std::size_t begin = 0; begin < seeds.size(); begin = end) {
+      const std::vector<std::size_t> chosen = seeds_far_apart(seeds, begin, end);
+      std::vector<Crease_path> paths(chosen.size());
+      for_each_piece(chosen.size(), [&](std::size_t first, std::size_t beyond) {
+        for (std::size_t k = first; k < beyond; ++k)
+          paths[k] = tracer().trace(m_creases[chosen[k]]);
+      }, 1);
+      Traced_creases meanwhile;
+      std::size_t next = 0;
+      for (std::size_t n = begin; n < end; ++n) {
+        const bool is_chosen = next < chosen.size() && chosen[next] == seeds[n];
+        const std::size_t k = next;
+        next += is_chosen;
+        if (tracer().is_traced(m_creases[seeds[n]].curve))
+          continue;
+        keep(is_chosen && !tracer().depends_on(meanwhile, paths[k]) ? paths[k] : tracer().trace(m_creases[seeds[n]]),
+             seeds[n], meanwhile);
+      }
+    }
+  }
+
+  Crease_tracer tracer() const { return Crease_tracer(m_band, m_options, m_traced); }
+
+  // the creases to start from, best first
+  std::vector<std::size_t> crease_seeds() const
+  {
+    const Crease_tracer tracer = this->tracer();
     std::vector<std::size_t> seeds;
     for (std::size_t i = 0; i < m_creases.size(); ++i)
       if (tracer.is_strong(m_creases[i]))
@@ -168,18 +201,39 @@ private:
     std::sort(seeds.begin(), seeds.end(), [&](std::size_t a, std::size_t b) {
       return std::tie(m_creases[a].deviation, a) < std::tie(m_creases[b].deviation, b);
     });
-    for (std::size_t i : seeds) {
-      if (tracer.is_traced(m_creases[i].curve))
-        continue;
-      const Crease_path path = tracer.trace(m_creases[i]);
-      const Traced_curve curve = tracer.curve_along(path);
-      if (curve.length() < 3. || tracer.share_of_support(curve.points) < 0.3)
-        continue;
-      tracer.keep(curve);
-      m_curves.push_back(curve);
-      m_creases[i].is_traced = true;
-      m_creases.insert(m_creases.end(), path.creases.begin(), path.creases.end());
+    return seeds;
+  }
+
+  // As many seeds from `begin` on as there are threads, most of which will lie on different curves; `end` is beyond those
+  // that were looked at.
+  std::vector<std::size_t> seeds_far_apart(const std::vector<std::size_t>& seeds, std::size_t begin, std::size_t& end) const
+  {
+    static constexpr double least_distance = 30.;
+    const std::size_t most = concurrency();
+    const Crease_tracer tracer = this->tracer();
+    std::vector<std::size_t> chosen;
+    for (end = begin; end < seeds.size() && chosen.size() < most; ++end) {
+      const Local_curve& seed = m_creases[seeds[end]].curve;
+      const bool is_far = std::all_of(chosen.begin(), chosen.end(), [&](std::size_t i) {
+        return (m_creases[i].curve.point - seed.point).norm() > least_distance;
+      });
+      if (is_far && !tracer.is_traced(seed))
+        chosen.push_back(seeds[end]);
     }
+    return chosen;
+  }
+
+  void keep(const Crease_path& path, std::size_t seed, Traced_creases& meanwhile)
+  {
+    Crease_tracer tracer = this->tracer();
+    const Traced_curve curve = tracer.curve_along(path);
+    if (curve.length() < 3. || tracer.share_of_support(curve.points) < 0.3)
+      return;
+    m_traced.add(curve.points);
+    meanwhile.add(curve.points);
+    m_curves.push_back(curve);
+    m_creases[seed].is_traced = true;
+    m_creases.insert(m_creases.end(), path.creases.begin(), path.creases.end());
   }
 
   void estimate_surface_noise()
@@ -233,10 +287,13 @@ private:
   void fit_creases()
   {
     m_creases.resize(m_places.size());
-    for_each_piece(m_creases.size(), [&](std::size_t begin, std::size_t end) {
+    const std::vector<std::size_t> order = m_search.spatial_order();
+    for_each_piece(order.size(), [&](std::size_t begin, std::size_t end) {
       Crease_fit fit(m_band);
-      for (std::size_t k = begin; k < end; ++k)
+      for (std::size_t n = begin; n < end; ++n) {
+        const std::size_t k = order[n];
         m_creases[k] = fit.fit_with_best_radius(m_contraction.curves[m_places[k]], m_options);
+      }
     });
   }
 };

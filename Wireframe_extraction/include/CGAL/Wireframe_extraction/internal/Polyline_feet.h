@@ -12,10 +12,15 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_POLYLINE_FEET_H
 
 #include <CGAL/Wireframe_extraction/internal/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/for_each_piece.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -34,11 +39,11 @@ inline std::vector<double> arc_lengths(const std::vector<Vector>& polyline)
 // The nearest place on a polyline.
 struct Polyline_foot
 {
-  static constexpr std::size_t no_curve = static_cast<std::size_t>(-1);
+  static constexpr std::uint32_t no_curve = static_cast<std::uint32_t>(-1);
 
   double distance = 0.;
-  std::size_t curve = no_curve, segment = 0;
   double share = 0.;      // of the segment that lies before the foot
+  std::uint32_t curve = no_curve, segment = 0;
 
   bool is_valid() const { return curve != no_curve; }
   Vector point(const std::vector<Vector>& polyline) const
@@ -94,23 +99,33 @@ void visit_feet(const Field_band& band, std::size_t curve, const std::vector<Vec
           }
         }
         if (nearest < run.size())
-          visitor(i, Polyline_foot{std::sqrt(best), curve, begin + nearest, share});
+          visitor(i, Polyline_foot{std::sqrt(best), share, static_cast<std::uint32_t>(curve),
+                                   static_cast<std::uint32_t>(begin + nearest)});
       }
     }
   }
 }
 
-// The nearest foot of every point of a band, on those of the polylines that are not null and closer than `radius`.
+// The nearest foot of every point of a band, on those of the polylines that are not null and closer than `radius`. Of
+// feet that are equally near, that on the first polyline counts.
 inline std::vector<Polyline_foot> nearest_feet(const Field_band& band,
                                                const std::vector<const std::vector<Vector>*>& polylines, double radius)
 {
   std::vector<Polyline_foot> feet(band.size());
-  for (std::size_t c = 0; c < polylines.size(); ++c)
-    if (polylines[c])
-      visit_feet(band, c, *polylines[c], radius, [&](std::size_t i, const Polyline_foot& foot) {
-        if (!feet[i].is_valid() || foot.distance < feet[i].distance)
-          feet[i] = foot;
-      });
+  std::mutex mutex;
+  for_each_piece(polylines.size(), [&](std::size_t begin, std::size_t end) {
+    std::vector<std::pair<std::size_t, Polyline_foot> > found;
+    for (std::size_t c = begin; c < end; ++c)
+      if (polylines[c])
+        visit_feet(band, c, *polylines[c], radius,
+                   [&](std::size_t i, const Polyline_foot& foot) { found.emplace_back(i, foot); });
+    const std::lock_guard<std::mutex> lock(mutex);
+    for (const auto& entry : found) {
+      Polyline_foot& foot = feet[entry.first];
+      if (!foot.is_valid() || std::tie(entry.second.distance, entry.second.curve) < std::tie(foot.distance, foot.curve))
+        foot = entry.second;
+    }
+  }, 1);
   return feet;
 }
 

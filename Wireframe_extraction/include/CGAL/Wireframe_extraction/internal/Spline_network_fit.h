@@ -20,6 +20,8 @@
 #include <CGAL/Wireframe_extraction/internal/for_each_piece.h>
 #include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
 
+#include <Eigen/Cholesky>
+
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
@@ -36,12 +38,6 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-inline void set_gradient(double* jacobian, const Vector& gradient)
-{
-  for (int k = 0; k < 3; ++k)
-    jacobian[k] = gradient[k];
-}
-
 inline void set_multiple_of_identity(double* jacobian, double factor)
 {
   for (int k = 0; k < 9; ++k)
@@ -49,7 +45,10 @@ inline void set_multiple_of_identity(double* jacobian, double factor)
 }
 
 // The distances of points to the places of their feet on one span of a spline against those of the field, made robust one
-// by one. Places and weights are fixed; the derivatives are by the four control points of the span.
+// by one. Places and weights are fixed; the derivatives are by the four control points of the span. There are 12 of
+// these, so that 13 residuals are as good as any number of them: with the Cholesky factor R of J^T J as Jacobian, y with
+// R^T y = J^T e, and the length of what is left of e, the sum of squares, its gradient and the normal equations are those
+// of all points, and the solver need not handle them one by one.
 class Span_residual : public ceres::CostFunction
 {
   struct Sample
@@ -59,38 +58,112 @@ class Span_residual : public ceres::CostFunction
     std::array<double, 4> basis;
   };
 
+  static constexpr int size = 12;
+  typedef Eigen::Matrix<double, size, size> Matrix;
+  typedef Eigen::Matrix<double, size, 1> Column;
+
   std::vector<Sample> m_samples;
   double m_scale;
 
 public:
   // `scale` is that of Cauchy's loss, or 0 for plain squares
-  explicit Span_residual(double scale) : m_scale(scale) { mutable_parameter_block_sizes()->assign(4, 3); }
+  explicit Span_residual(double scale) : m_scale(scale)
+  {
+    mutable_parameter_block_sizes()->assign(4, 3);
+    set_num_residuals(size + 1);
+  }
 
   void add(const Vector& point, double distance, double weight, const double* basis)
   {
     m_samples.push_back({point, distance, weight, {{basis[0], basis[1], basis[2], basis[3]}}});
-    set_num_residuals(static_cast<int>(m_samples.size()));
   }
 
   bool Evaluate(double const* const* controls, double* residuals, double** jacobians) const override
   {
-    for (std::size_t i = 0; i < m_samples.size(); ++i) {
-      const Sample& sample = m_samples[i];
+    double squares = 0.;
+    Normal_sums sums;
+    for (const Sample& sample : m_samples) {
       Vector offset = sample.point;
       for (int j = 0; j < 4; ++j)
         offset -= sample.basis[j] * Eigen::Map<const Vector>(controls[j]);
       const double distance = offset.norm(), e = sample.weight * (sample.distance - distance);
       const Cauchy_factor factor = m_scale > 0. ? Cauchy_factor(e * e, m_scale * m_scale) : Cauchy_factor();
-      residuals[i] = factor.value * e;
-      if (!jacobians)
-        continue;
-      const double by_distance = sample.weight * (factor.value + 2. * factor.derivative * e * e);
-      const Vector direction = distance > 1e-12 ? Vector(offset * (by_distance / distance)) : Vector(Vector::Zero());
+      const double residual = factor.value * e;
+      squares += residual * residual;
+      if (jacobians && distance > 1e-12) {
+        const double by_distance = sample.weight * (factor.value + 2. * factor.derivative * e * e);
+        sums.add(sample.basis, offset * (by_distance / distance), residual);
+      }
+    }
+    std::fill(residuals, residuals + size, 0.);
+    if (jacobians)
+      squares -= reduce(sums, residuals, jacobians);
+    residuals[size] = std::sqrt((std::max)(0., squares));
+    return true;
+  }
+
+private:
+  // for the normal equations: every derivative is a basis function times a direction
+  struct Normal_sums
+  {
+    double blocks[10][6] = {};      // of pairs of control points
+    double right[4][3] = {};
+
+    void add(const std::array<double, 4>& basis, const Vector& direction, double residual)
+    {
+      const double x = direction[0], y = direction[1], z = direction[2];
+      const double products[6] = {x * x, x * y, x * z, y * y, y * z, z * z};
+      for (int j = 0, pair = 0; j < 4; ++j)
+        for (int k = j; k < 4; ++k, ++pair)
+          for (int i = 0; i < 6; ++i)
+            blocks[pair][i] += basis[j] * basis[k] * products[i];
+      for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 3; ++i)
+          right[j][i] += basis[j] * residual * direction[i];
+    }
+
+    void assemble(Matrix& matrix, Column& column) const
+    {
+      static constexpr int of[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
+      for (int j = 0, pair = 0; j < 4; ++j)
+        for (int k = j; k < 4; ++k, ++pair)
+          for (int a = 0; a < 3; ++a)
+            for (int b = 0; b < 3; ++b)
+              matrix(3 * j + a, 3 * k + b) = matrix(3 * k + b, 3 * j + a) = blocks[pair][of[a][b]];
+      for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 3; ++i)
+          column[3 * j + i] = right[j][i];
+    }
+  };
+
+  // writes y and R, and returns the square of y
+  static double reduce(const Normal_sums& sums, double* residuals, double** jacobians)
+  {
+    Matrix matrix;
+    Column column;
+    sums.assemble(matrix, column);
+    const Eigen::LDLT<Matrix> cholesky(matrix);
+    const Column pivots = cholesky.vectorD();
+    const double least = 1e-14 * pivots.maxCoeff();
+    Matrix upper = cholesky.transpositionsP() * Matrix::Identity();
+    upper = cholesky.matrixU() * upper;
+    Column reduced = cholesky.transpositionsP() * column;
+    cholesky.matrixL().solveInPlace(reduced);
+    double square = 0.;
+    for (int i = 0; i < size; ++i) {
+      // what the points say nothing of has no derivative either
+      const double root = pivots[i] > least ? std::sqrt(pivots[i]) : 0.;
+      residuals[i] = root > 0. ? reduced[i] / root : 0.;
+      square += residuals[i] * residuals[i];
       for (int j = 0; j < 4; ++j)
         if (jacobians[j])
-          set_gradient(jacobians[j] + 3 * i, sample.basis[j] * direction);
+          for (int k = 0; k < 3; ++k)
+            jacobians[j][3 * i + k] = root * upper(i, 3 * j + k);
     }
-    return true;
+    for (int j = 0; j < 4; ++j)
+      if (jacobians[j])
+        std::fill(jacobians[j] + 3 * size, jacobians[j] + 3 * size + 3, 0.);
+    return square;
   }
 };
 

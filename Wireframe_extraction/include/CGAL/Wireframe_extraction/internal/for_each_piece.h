@@ -12,11 +12,14 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FOR_EACH_PIECE_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FOR_EACH_PIECE_H
 
+#include <algorithm>
 #include <cstddef>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #endif
 
 namespace CGAL {
@@ -34,6 +37,17 @@ void for_each_piece(std::size_t count, const Work& work, std::size_t size = 256)
 #else
   (void)size;
   work(std::size_t(0), count);
+#endif
+}
+
+// how many pieces may be worked on at the same time
+inline std::size_t concurrency()
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  return (std::min)(static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()),
+                    tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+#else
+  return 1;
 #endif
 }
 
