@@ -312,6 +312,12 @@ class Manual_test(unittest.TestCase):
     def test_the_page_of_the_package_lists_everything(self):
         self.assertEqual(list(unlisted(self.symbols, ROOT)), [])
 
+    def test_no_line_starts_with_an_asterisk(self):
+        # doxygen takes it for the frame of a comment, and leaves it out
+        for path in sorted((ROOT / PAGES).rglob("*.txt")):
+            source = path.read_text(encoding="utf-8")
+            self.assertEqual(re.findall(r"^ *\*[^/\n].*", source, re.MULTILINE), [], path.name)
+
     def test_every_example_is_in_the_manual(self):
         manual = "".join(path.read_text(encoding="utf-8") for path in sorted((ROOT / PAGES).glob("*.txt")))
         for path in sorted((ROOT / "examples/Wireframe_extraction").glob("*_example.cpp")):
