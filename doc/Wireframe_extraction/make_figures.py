@@ -39,7 +39,7 @@ class Figures:
         self.run("plot_wireframe.py", cloud, self.work / "title.json", "-o", self.output / "wireframe_extraction.png")
 
     def stages(self):
-        cloud = self.case("slotted_plate", 20000, "stages") / "noisy.ply"
+        cloud = self.case("slotted_plate", 20000, "stages") / "def.ply"
         splines, typed = self.work / "splines.json", self.work / "typed.json"
         stages = self.work / "stages_of_plate"
         self.run("extract_wireframe", cloud, "-o", splines, "--splines-only", "--quiet")

@@ -1,5 +1,5 @@
-// What extract_wireframe() does, one stage after the other. Any stage can be replaced by a function of yours
-// that returns the same type.
+// What extract_wireframe() does, one stage after the other. Any stage that returns its result can be replaced by a
+// function of yours that returns the same type; contract_skeleton() and refine_field() change the skeleton instead.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Wireframe_extraction/IO/read_distance_cloud.h>

@@ -13,13 +13,16 @@
 #define CGAL_WIREFRAME_EXTRACTION_H
 
 /// \file Wireframe_extraction.h
-/// Includes all of the package but what reads and writes files.
+/// Includes all of the package but what reads and writes files, and `draw_wireframe.h`.
 
 #include <CGAL/extract_wireframe.h>
 
+#include <CGAL/Wireframe_extraction/Distance_cloud_filter.h>
+#include <CGAL/Wireframe_extraction/Distance_patch.h>
 #include <CGAL/Wireframe_extraction/Spline_curve_3.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/Wireframe_graph.h>
+#include <CGAL/Wireframe_extraction/fuse_distance_patches.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #endif // CGAL_WIREFRAME_EXTRACTION_H

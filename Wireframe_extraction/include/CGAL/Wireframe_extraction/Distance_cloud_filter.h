@@ -45,8 +45,14 @@ clouds and uniformly random ones alike. Where the cloud is evenly dense, it is w
 `extract_wireframe()`. What is lost are points near features whose distances say that they are far from any, up to
 which `extract_wireframe()` would look for the surface around the skeleton. With an exact field there are none.
 
-\tparam Point the point type
-\tparam FT a number type
+`cloud()`, `sampling_distance()` and `is_complete()` first bring the state up to date with what was inserted since they
+were called last, in \f$ O(m \log m) \f$ time for the \f$ m \f$ points that are there; else they take constant time.
+Inserting takes \f$ O(\log m) \f$ amortized time. At most `points_in_memory` points are held, or twice as many as were
+kept when the bound sank last, whichever is more.
+
+\tparam Point a point type for which `Kernel_traits<Point>::Kernel` is a model of `WireframeExtractionTraits_3`, such as
+the points of a kernel
+\tparam FT a model of `FieldNumberType` that is constructible from `double`
 */
 template <class Point, class FT = double>
 class Distance_cloud_filter
@@ -67,8 +73,33 @@ class Distance_cloud_filter
 
 public:
   /// constructs a filter for an extraction with the same parameters.
-  /// \param np an optional sequence of named parameters among `skeleton_distance`, `support_distance`,
-  ///   `fitting_radius`, and `points_in_memory`, the number of points up to which nothing is dropped (1048576)
+  ///
+  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  ///
+  /// \param np an optional sequence of named parameters among the ones listed below
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{skeleton_distance}
+  ///     \cgalParamDescription{the threshold below which a point belongs to the skeleton, in multiples of r}
+  ///     \cgalParamType{`double`}
+  ///     \cgalParamDefault{1.5}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{support_distance}
+  ///     \cgalParamDescription{the threshold below which a point supports the fits, in multiples of r}
+  ///     \cgalParamType{`double`}
+  ///     \cgalParamDefault{3}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{fitting_radius}
+  ///     \cgalParamDescription{the radius of the balls in which curves are fitted, in multiples of r}
+  ///     \cgalParamType{`double`}
+  ///     \cgalParamDefault{4}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{points_in_memory}
+  ///     \cgalParamDescription{the number of points up to which nothing is dropped}
+  ///     \cgalParamType{`std::size_t`}
+  ///     \cgalParamDefault{1048576}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Distance_cloud_filter(const NamedParameters& np = CGAL::parameters::default_values())
     : m_least_limit((std::max)(std::size_t(256), internal::points_in_memory(np))), m_limit(m_least_limit)
@@ -79,6 +110,7 @@ public:
   }
 
   /// takes a point and its distance. Those that are not finite, and negative distances, are counted and left out.
+  /// References to `cloud()` become invalid.
   void insert(const Point& point, const FT& distance)
   {
     ++m_number_of_points;
@@ -98,7 +130,9 @@ public:
     }
   }
 
-  /// takes the pairs of a point and a distance of an input range.
+  /// takes the pairs of a point and a distance of an input range, as if they were inserted one by one.
+  ///
+  /// \tparam InputIterator a model of `InputIterator` whose value type is `std::pair<Point, FT>`
   template <class InputIterator>
   auto insert(InputIterator first, InputIterator beyond) -> decltype(void(first->first))
   {
@@ -115,7 +149,7 @@ public:
   /// returns the distance below which points are kept, in sampling distances.
   double width() const { return m_width; }
 
-  /// returns the points that are kept, with their distances.
+  /// returns the points that are kept, with their distances. The reference is valid until the next insertion.
   const std::vector<std::pair<Point, FT> >& cloud()
   {
     update();

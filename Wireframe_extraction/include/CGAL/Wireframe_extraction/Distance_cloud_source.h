@@ -44,11 +44,13 @@ public:
   /// destroys what was derived from it.
   virtual ~Distance_cloud_source() {}
 
-  /// hands out all samples, in the same order each time, unless the sink wants no more. Returns whether that went well;
-  /// if not, `error_message()` says why.
+  /// hands out all samples, in the same order each time, unless the sink wants no more. Returns whether that went well,
+  /// also if the sink wanted no more; if not, `error_message()` says why.
   virtual bool read(const Sink& sink) = 0;
 
-  /// returns what went wrong, in one line; empty if nothing did.
+  /// returns what went wrong, in one line; empty if nothing did. A class whose `read()` can fail is expected to override
+  /// it: the message becomes that of the report. The default is an empty text, for which the report says no more than
+  /// that the cloud cannot be read.
   virtual std::string error_message() const { return std::string(); }
 };
 

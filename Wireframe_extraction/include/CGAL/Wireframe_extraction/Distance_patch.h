@@ -23,7 +23,7 @@ namespace Wireframe_extraction {
 /// A part of a cloud, with the distances that were estimated for its points from this part alone. Parts may overlap.
 ///
 /// \tparam Point the type of the points
-/// \tparam FT the number type of the distances
+/// \tparam FT a model of `FieldNumberType` that is constructible from `double`
 template <class Point, class FT>
 struct Distance_patch
 {

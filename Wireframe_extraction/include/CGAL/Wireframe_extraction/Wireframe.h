@@ -33,7 +33,7 @@ enum class Wireframe_curve_type
   ELLIPTIC_ARC  ///< an arc of an ellipse
 };
 
-/// \ingroup PkgWireframeExtractionClasses
+/// \ingroup PkgWireframeExtractionFunctions
 /// returns whether curves of this kind have a `Wireframe_curve::conic`. Constant time.
 ///
 /// \param type the kind

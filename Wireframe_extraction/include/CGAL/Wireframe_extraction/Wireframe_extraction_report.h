@@ -46,7 +46,8 @@ struct Wireframe_extraction_report
   std::vector<std::string> regularities;      ///< what `regularize` made equal, coaxial, parallel or orthogonal: a line
                                               ///< for each group, with indices of curves
   double sampling_distance = 0.;              ///< in the cloud's unit
-  double noise = 0.;                          ///< noise level of the field near curves, in the cloud's unit
+  double noise = 0.;                          ///< noise level of the field, in the cloud's unit: what
+                                              ///< `Wireframe_skeleton::noise()` returns after the refinement
   double root_mean_square = 0.;               ///< of the residuals of all curves, in the cloud's unit
   double maximum_deviation = 0.;              ///< largest residual of a supporting point, in the cloud's unit
   std::vector<std::pair<std::string, double> > seconds;  ///< duration of the stages, in their order

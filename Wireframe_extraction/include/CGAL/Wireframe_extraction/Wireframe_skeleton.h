@@ -89,7 +89,9 @@ public:
   /// \pre `is_contracted()` and `i < size()`
   FT residual(std::size_t i) const { return FT(contraction().residuals[i] * m_unit); }
 
-  /// returns the noise level of the field: the median of the residuals, in the cloud's unit.
+  /// returns the noise level of the field, in the cloud's unit: `noise_level` times the sampling distance if that named
+  /// parameter was given, else the median of the residuals, or after `refine_field()` the typical deviation of the
+  /// creases if that is larger.
   /// \pre `is_contracted()`
   FT noise() const { return FT(contraction().noise * m_unit); }
 

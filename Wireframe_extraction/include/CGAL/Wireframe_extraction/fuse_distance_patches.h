@@ -30,16 +30,16 @@ namespace Wireframe_extraction {
 ///
 /// If all patches have indices, points with the same index are the same, and the cloud has the order of the indices.
 /// Otherwise points are the same that are closer to each other than 10<sup>-6</sup> of the diagonal of the box around
-/// the middle nine tenths of the coordinates, and the cloud is sorted by `x`, `y` and `z`. Of points that are the same, the first one in the order of
-/// `x`, `y` and `z` is kept. The result does not depend on the order of the patches.
+/// the middle nine tenths of the coordinates, and the cloud is sorted by `x`, `y` and `z`. Of points that are the same,
+/// the first one in the order of `x`, `y` and `z` is kept. The result does not depend on the order of the patches.
 ///
 /// A regressor such as DEF sees one patch at a time. What a point is close to may lie outside of its patch; then the
 /// estimate is too large, mostly the bound at which distances are cut off. Errors of this kind, which the minimum
 /// leaves out, are the ones to be expected near the borders of patches, so it is the default. The median leaves
 /// out single estimates that are too small, at the price of features which few of the patches see.
 ///
-/// \tparam Point a type with the member functions `x()`, `y()` and `z()`
-/// \tparam FT a model of `FieldNumberType`
+/// \tparam Point a point type with the member functions `x()`, `y()` and `z()`
+/// \tparam FT a model of `FieldNumberType` that is constructible from `double`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param patches the patches

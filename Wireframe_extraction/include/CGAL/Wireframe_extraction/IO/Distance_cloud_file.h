@@ -36,17 +36,70 @@ cannot be a pipe.
 class Distance_cloud_file : public Wireframe_extraction::Distance_cloud_source
 {
 public:
-  /// takes the points and the distances from one file, once it is read.
+  /// takes the points and the distances from one file. The constructor reads nothing, and so cannot fail.
+  ///
+  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  ///
   /// \param filename the name of the file
-  /// \param np an optional sequence of named parameters among `distance_property`, `points_dataset`,
-  ///   `distances_dataset` and `skip_invalid`, with the meaning they have for `read_distance_cloud()`
+  /// \param np an optional sequence of named parameters among the ones listed below
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{distance_property}
+  ///     \cgalParamDescription{the name of the property or column that holds the distances}
+  ///     \cgalParamType{`std::string`}
+  ///     \cgalParamDefault{the first that is there of `distance`, `distances`, `sharpness`, `scalar_distance`,
+  ///                       `quality`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{points_dataset}
+  ///     \cgalParamDescription{the name of the data set of HDF5, or the array of `.npz`, that holds the points}
+  ///     \cgalParamType{`std::string`}
+  ///     \cgalParamDefault{`points`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{distances_dataset}
+  ///     \cgalParamDescription{the same for the distances}
+  ///     \cgalParamType{`std::string`}
+  ///     \cgalParamDefault{what `distance_property` says}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{skip_invalid}
+  ///     \cgalParamDescription{whether points with a coordinate or distance that is not finite, or a negative
+  ///                           distance, are left out instead of being an error}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   explicit Distance_cloud_file(const std::string& filename,
                                const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
     : m_filename(filename), m_options(internal::get_cloud_reader_options<double>(np))
   {}
 
-  /// takes the points from one file and the distances from another.
+  /// takes the points from one file and the distances from another. The constructor reads nothing, and so cannot fail.
+  ///
+  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  ///
+  /// \param filename the name of the file with the points
+  /// \param distances_filename the name of the file with the distances
+  /// \param np an optional sequence of named parameters among the ones listed below
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{points_dataset}
+  ///     \cgalParamDescription{the name of the data set of HDF5, or the array of `.npz`, that holds the points}
+  ///     \cgalParamType{`std::string`}
+  ///     \cgalParamDefault{`points`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{distances_dataset}
+  ///     \cgalParamDescription{the same for the distances}
+  ///     \cgalParamType{`std::string`}
+  ///     \cgalParamDefault{the first that is there of `distance`, `distances`, `sharpness`, `scalar_distance`,
+  ///                       `quality`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{skip_invalid}
+  ///     \cgalParamDescription{whether points with a coordinate or distance that is not finite, or a negative
+  ///                           distance, are left out instead of being an error}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   Distance_cloud_file(const std::string& filename, const std::string& distances_filename,
                       const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
@@ -54,7 +107,7 @@ public:
       m_options(internal::get_cloud_reader_options<double>(np))
   {}
 
-  /// reads the file.
+  /// reads the file from its beginning.
   bool read(const Sink& sink) override
   {
     m_error = internal::read_in_memory(m_filename, [&] { return read_file(sink); });

@@ -163,7 +163,7 @@ bool read_distance_cloud_of_files(const std::string& filename, const std::string
 /// distances not negative, else the file is refused, or the points left out with `skip_invalid`.
 ///
 /// \tparam Point a type constructible from three `double` coordinates
-/// \tparam FT a number type constructible from `double`
+/// \tparam FT a model of `FieldNumberType` that is constructible from `double`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param filename the name of the file
@@ -233,15 +233,44 @@ bool read_distance_cloud(const std::string& filename, std::vector<std::pair<Poin
 ///   `//`, and one line with a name at its top are allowed.
 ///
 /// \tparam Point a type constructible from three `double` coordinates
-/// \tparam FT a number type constructible from `double`
+/// \tparam FT a model of `FieldNumberType` that is constructible from `double`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param filename the name of the file of the cloud
 /// \param distances_filename the name of the file of the distances
 /// \param cloud the points and their distances, in the order of the files. What it held before is replaced;
 ///   it is left as it was if reading fails.
-/// \param np an optional sequence of named parameters among `points_dataset`, `distances_dataset`, `skip_invalid`,
-///   `number_of_skipped` and `error_message`, with the meaning they have for the other overload
+/// \param np an optional sequence of named parameters among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{points_dataset}
+///     \cgalParamDescription{the name of the data set of HDF5, or the array of `.npz`, that holds the points}
+///     \cgalParamType{`std::string`}
+///     \cgalParamDefault{`points`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{distances_dataset}
+///     \cgalParamDescription{the same for the distances}
+///     \cgalParamType{`std::string`}
+///     \cgalParamDefault{the first that is there of `distance`, `distances`, `sharpness`, `scalar_distance`,
+///                       `quality`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{skip_invalid}
+///     \cgalParamDescription{whether points with a coordinate or distance that is not finite, or a negative
+///                           distance, are left out instead of being an error}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_skipped}
+///     \cgalParamDescription{receives the number of points that were left out}
+///     \cgalParamType{`std::size_t*`}
+///     \cgalParamDefault{a null pointer: nothing is received}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{error_message}
+///     \cgalParamDescription{receives what went wrong, where in the file, and what helps; empty on success}
+///     \cgalParamType{`std::string*`}
+///     \cgalParamDefault{a null pointer: nothing is received}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
 /// \return `true` if the cloud was read and has at least one point, else `false`: for the reasons of the
 ///   other overload, or because the two files differ in their number of points.

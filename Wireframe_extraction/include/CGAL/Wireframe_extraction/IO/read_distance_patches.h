@@ -58,7 +58,7 @@ struct Patch_sink
 ///
 /// \tparam FilenameRange a range of file names, convertible to `std::string`
 /// \tparam Point a type constructible from three `double` coordinates
-/// \tparam FT a number type constructible from `double`
+/// \tparam FT a model of `FieldNumberType` that is constructible from `double`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param filenames the names of the files

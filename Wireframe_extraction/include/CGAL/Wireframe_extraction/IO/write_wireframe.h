@@ -74,8 +74,21 @@ inline const char* known_wireframe_extensions()
 ///
 /// \param filename the name of the file
 /// \param wireframe the wireframe
-/// \param np an optional sequence of named parameters: `error_message`, `geom_traits`, and those of the
-///   function for the format. A parameter that a format has no use for is passed over.
+/// \param np an optional sequence of named parameters: those of the function for the format, and the ones listed below. A
+///   parameter that a format has no use for is passed over.
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{error_message}
+///     \cgalParamDescription{receives what went wrong; empty on success}
+///     \cgalParamType{`std::string*`}
+///     \cgalParamDefault{a null pointer: nothing is received}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of a geometric traits class}
+///     \cgalParamType{`GeomTraits`}
+///     \cgalParamDefault{`GeomTraits()`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
 /// \return `true` if all was written, else `false`: the wireframe has a number that is not finite, or is
 ///   malformed in another way, the extension is unknown or needs OpenCASCADE and there is none, or the file
