@@ -57,6 +57,10 @@ public:
   /// returns the number of points that were left out since they repeat another one exactly.
   std::size_t number_of_duplicates() const { return m_number_of_duplicates; }
 
+  /// returns the number of points that were left out since they are farther than 10<sup>9</sup> sampling distances from
+  /// the others.
+  std::size_t number_of_strays() const { return m_number_of_strays; }
+
   /// returns the `i`-th point. \pre `i < support_size()`
   Point_3 point(std::size_t i) const { CGAL_precondition(i < support_size()); return to_point(m_band->points[i]); }
 
@@ -100,15 +104,17 @@ public:
 
   Wireframe_skeleton(std::shared_ptr<const Wireframe_extraction::internal::Field_band> band,
                      std::shared_ptr<const Wireframe_extraction::internal::Field_band> surroundings, double unit,
-                     const internal_Vector& origin, std::size_t number_of_duplicates, const GeomTraits& traits)
+                     const internal_Vector& origin, std::size_t number_of_duplicates, std::size_t number_of_strays,
+                     const GeomTraits& traits)
     : m_band(band), m_surroundings(surroundings), m_unit(unit), m_origin(origin),
-      m_number_of_duplicates(number_of_duplicates), m_traits(traits)
+      m_number_of_duplicates(number_of_duplicates), m_number_of_strays(number_of_strays), m_traits(traits)
   {}
 
   // the same skeleton over other distances
   Wireframe_skeleton with_band(std::shared_ptr<const Wireframe_extraction::internal::Field_band> band) const
   {
-    return Wireframe_skeleton(band, m_surroundings, m_unit, m_origin, m_number_of_duplicates, m_traits);
+    return Wireframe_skeleton(band, m_surroundings, m_unit, m_origin, m_number_of_duplicates, m_number_of_strays,
+                              m_traits);
   }
 
   const Wireframe_extraction::internal::Field_band& band() const { return *m_band; }
@@ -120,6 +126,7 @@ public:
     return *m_contraction;
   }
   void set_contraction(std::shared_ptr<const Wireframe_extraction::internal::Contraction> c) { m_contraction = c; }
+  void set_surroundings(std::shared_ptr<const Wireframe_extraction::internal::Field_band> s) { m_surroundings = s; }
   double unit() const { return m_unit; }
   const GeomTraits& traits() const { return m_traits; }
 
@@ -129,13 +136,14 @@ public:
     const internal_Vector q = m_origin + m_unit * p;
     return m_traits.construct_point_3_object()(FT(q.x()), FT(q.y()), FT(q.z()));
   }
+  internal_Vector to_local(const internal_Vector& q) const { return (q - m_origin) / m_unit; }
   internal_Vector to_local(const Point_3& p) const
   {
     auto c = m_traits.construct_cartesian_const_iterator_3_object()(p);
     internal_Vector q;
     for (int k = 0; k < 3; ++k, ++c)
       q[k] = CGAL::to_double(*c);
-    return (q - m_origin) / m_unit;
+    return to_local(q);
   }
   /// \endcond
 
@@ -144,7 +152,7 @@ private:
   std::shared_ptr<const Wireframe_extraction::internal::Contraction> m_contraction;
   double m_unit = 1.;
   internal_Vector m_origin = internal_Vector::Zero();
-  std::size_t m_number_of_duplicates = 0;
+  std::size_t m_number_of_duplicates = 0, m_number_of_strays = 0;
   GeomTraits m_traits;
 };
 

@@ -14,6 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/Wireframe_graph.h>
 #include <CGAL/Wireframe_extraction/detect_corners.h>
+#include <CGAL/Wireframe_extraction/internal/run_concurrently.h>
 #include <CGAL/Wireframe_extraction/internal/subdivide_network.h>
 #include <CGAL/Wireframe_extraction/internal/trace_network.h>
 
@@ -135,7 +136,8 @@ builds the topological graph of a wireframe: polylines that end in corners.
 - `Graph_method::TRACED`: from the points of the clusters, best fits first, curves are traced through the field, step by
   step, as long as it agrees with them; then from points that these curves leave unexplained. What is not needed to
   explain the field is dropped, and so is a curve that runs over a smooth surface: where the points around it (kept if
-  `use_creases` was not switched off) are a graph over a plane, a fold of less than 17 degrees, beyond doubt. The ends of
+  `use_creases` was not switched off and the field is not precise) are a graph over a plane, a fold of less than 17
+  degrees, beyond doubt. The ends of
   the curves are beliefs about corners, sure across the curve and unsure along it: ends whose beliefs agree are joined, ends next to the inside of another curve split it, ends that face each other
   over a gap are bridged, short curves between corners are added where the field asks for them. Splines fitted to the
   field replace the polylines, and their ends are joined in the same way once more. The corners handed over only matter
@@ -144,6 +146,7 @@ builds the topological graph of a wireframe: polylines that end in corners.
   is subdivided at the point that disagrees most with it while that exceeds `split_threshold` (eq. 2 of
   \cgalCite{MAZB21}); ends join the nearest corner.
 
+\tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag` (the default)
 \tparam GeomTraits a model of `WireframeExtractionTraits_3`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
@@ -230,7 +233,8 @@ builds the topological graph of a wireframe: polylines that end in corners.
 Complexity: `TRACED`: O(n (log n + k)) for n points with k neighbors each; `SUBDIVIDED`: O(n s^2) for clusters of n
 points that get s segments.
 */
-template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>
+template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTraits,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
 Wireframe_graph<GeomTraits>
 build_topological_graph(const Wireframe_skeleton<GeomTraits>& skeleton,
                         const std::vector<Wireframe_corner<GeomTraits> >& corners,
@@ -239,8 +243,11 @@ build_topological_graph(const Wireframe_skeleton<GeomTraits>& skeleton,
 {
   const std::function<bool(double)> callback = CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(np, CGAL::internal_np::callback), std::function<bool(double)>());
-  return internal::build_graph(skeleton, corners, clusters, internal::extraction_options(np),
-                               [&](double share) { return !callback || callback(share); });
+  const internal::Extraction_options options = internal::extraction_options(np);
+  return internal::run_concurrently<ConcurrencyTag>([&] {
+    return internal::build_graph(skeleton, corners, clusters, options,
+                                 [&](double share) { return !callback || callback(share); });
+  });
 }
 
 } // namespace Wireframe_extraction

@@ -13,13 +13,38 @@
 #define CGAL_WIREFRAME_EXTRACTION_CONTRACT_SKELETON_H
 
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
+#include <CGAL/Wireframe_extraction/internal/Contraction.h>
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/run_concurrently.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 
 namespace CGAL {
 namespace Wireframe_extraction {
+
+namespace internal {
+
+// returns whether it was not cancelled
+template <class GeomTraits>
+bool contract(Wireframe_skeleton<GeomTraits>& skeleton, const Extraction_options& options,
+              const std::function<bool(double)>& proceed)
+{
+  if (skeleton.support_size() == 0)
+    return true;
+  auto contraction = std::make_shared<Contraction>();
+  if (!contract(skeleton.band(), options.fitting_radius, proceed, *contraction))
+    return false;
+  if (options.noise_level >= 0.)
+    contraction->noise = (std::min)(1., options.noise_level);
+  skeleton.set_contraction(contraction);
+  if (contraction->is_precise())
+    skeleton.set_surroundings(std::make_shared<Field_band>());
+  return true;
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgWireframeExtractionFunctions
@@ -29,6 +54,10 @@ the points around it, sum of rho(d_i - |p_i - c|) -> min, starting at the main a
 exp(-(d/r)^2). The point's foot on that curve, the tangent there and the residual of the fit are kept with it.
 Balls of several radii around `fitting_radius` are tried, and the largest one that fits as well as any is taken.
 
+If the noise level is below 0.03 r, the field is *precise*: it knows better than the surface where curves are, and the
+points around the skeleton that `select_skeleton()` kept are let go.
+
+\tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag` (the default)
 \tparam GeomTraits a model of `WireframeExtractionTraits_3`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
@@ -44,23 +73,29 @@ Balls of several radii around `fitting_radius` are tried, and the largest one th
     \cgalParamDescription{the noise level of the field, in multiples of r, at most 1}
     \cgalParamType{`double`}
     \cgalParamDefault{the median of the residuals}
+    \cgalParamExtra{A negative value stands for the default.}
+  \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{a function that is called with the share that is done and returns whether to go on}
+    \cgalParamType{an instance of `std::function<bool(double)>`}
+    \cgalParamDefault{unused}
+    \cgalParamExtra{After cancelling, the skeleton is as it was before.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-Complexity: O(n (log n + k)) for n points with k neighbors each; in parallel if TBB is linked, with the same result.
+Complexity: O(n (log n + k)) for n points with k neighbors each. The result is the same for all tags.
 */
-template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>
+template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTraits,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
 void contract_skeleton(Wireframe_skeleton<GeomTraits>& skeleton,
                        const NamedParameters& np = CGAL::parameters::default_values())
 {
-  if (skeleton.support_size() == 0)
-    return;
+  const std::function<bool(double)> callback = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::callback), std::function<bool(double)>());
   const internal::Extraction_options options = internal::extraction_options(np);
-  auto contraction = std::make_shared<internal::Contraction>(
-    internal::contract(skeleton.band(), options.fitting_radius));
-  if (options.noise_level >= 0.)
-    contraction->noise = (std::min)(1., options.noise_level);
-  skeleton.set_contraction(contraction);
+  internal::run_concurrently<ConcurrencyTag>([&] {
+    internal::contract(skeleton, options, [&](double share) { return !callback || callback(share); });
+  });
 }
 
 } // namespace Wireframe_extraction

@@ -12,10 +12,9 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_ESTIMATE_SAMPLING_DISTANCE_H
 #define CGAL_WIREFRAME_EXTRACTION_ESTIMATE_SAMPLING_DISTANCE_H
 
+#include <CGAL/Wireframe_extraction/internal/Range_source.h>
+#include <CGAL/Wireframe_extraction/internal/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/cloud_access.h>
-#include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
-
-#include <vector>
 
 namespace CGAL {
 namespace Wireframe_extraction {
@@ -26,8 +25,9 @@ namespace Wireframe_extraction {
 estimates the sampling distance r of a cloud: the mean distance of a point to its nearest neighbor in a Poisson-disk
 cloud of the same density, r = sqrt(0.82 * area per point).
 
-The area per point comes from the discs that reach to the 16th neighbor, the median over at most 4096 points spread
-over the range, so that neither duplicates nor outliers matter. It is right for Poisson-disk clouds and for uniformly
+The area per point comes from the discs that reach to the 16th neighbor, the median over at most 4096 points, so that
+neither duplicates nor outliers matter. These are spread evenly over the ranks of the distances to features; points
+without distances are chosen by a hash of their positions. So the order of the cloud does not matter. The estimate is right for Poisson-disk clouds and for uniformly
 random ones alike; there, the mean distance to the nearest neighbor is only about 0.55 r.
 
 \tparam PointRange a model of `ConstRange` whose iterators are forward iterators
@@ -41,6 +41,16 @@ random ones alike; there, the mean distance to the nearest neighbor is only abou
     \cgalParamType{a model of `ReadablePropertyMap`}
     \cgalParamDefault{the first of a pair, or the value itself}
   \cgalParamNEnd
+  \cgalParamNBegin{distance_map}
+    \cgalParamDescription{a property map from the value type of `points` to the distance to the nearest sharp feature}
+    \cgalParamType{a model of `ReadablePropertyMap`}
+    \cgalParamDefault{the second of a pair; bare points need none}
+  \cgalParamNEnd
+  \cgalParamNBegin{points_in_memory}
+    \cgalParamDescription{up to how many points are copied; a larger cloud is gone over several times instead}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{1048576}
+  \cgalParamNEnd
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of a geometric traits class}
     \cgalParamType{a model of `WireframeExtractionTraits_3`}
@@ -48,7 +58,8 @@ random ones alike; there, the mean distance to the nearest neighbor is only abou
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the sampling distance in the cloud's unit; 0 if fewer than two different points exist.
+\return the sampling distance in the cloud's unit; 0 if fewer than two different points exist. Points that are not finite
+or have a negative distance do not count.
 
 Complexity: O(n log n) for n points.
 */
@@ -56,12 +67,12 @@ template <class PointRange, class NamedParameters = CGAL::parameters::Default_na
 double estimate_sampling_distance(const PointRange& points,
                                   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const internal::Cloud_access<PointRange, NamedParameters> access(np);
-  std::vector<internal::Vector> positions;
-  for (const auto& value : points)
-    positions.push_back(access.position(value));
-  return internal::cloud_scale(positions, std::vector<double>(), internal::spread_indices(positions.size()))
-    .sampling_distance;
+  typedef internal::Cloud_access<PointRange, NamedParameters> Access;
+  const Access access(np);
+  internal::Range_source<PointRange, Access> source(points, access);
+  internal::Surveyed_cloud cloud(source, internal::points_in_memory(np));
+  cloud.survey();
+  return cloud.scale().sampling_distance;
 }
 
 } // namespace Wireframe_extraction

@@ -16,6 +16,7 @@
 #include <CGAL/Wireframe_extraction/Wireframe_graph.h>
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/Spline_network_fit.h>
+#include <CGAL/Wireframe_extraction/internal/run_concurrently.h>
 
 #include <CGAL/boost/graph/split_graph_into_polylines.h>
 
@@ -155,6 +156,7 @@ they meet; closed curves without corner are periodic, so that position and tange
 rounds, the feet of the points are found anew, and knots are added where residuals ask for them. Changes of curvature
 along a spline cost the more the noisier the field is, so that splines do not follow the noise; lines and arcs are free.
 
+\tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag` (the default)
 \tparam GeomTraits a model of `WireframeExtractionTraits_3`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
@@ -172,6 +174,7 @@ along a spline cost the more the noisier the field is, so that splines do not fo
     \cgalParamDescription{the noise level of the field, in multiples of r, at most 1}
     \cgalParamType{`double`}
     \cgalParamDefault{what `contract_skeleton()` or `refine_field()` found; 0.1 if the skeleton is not contracted}
+    \cgalParamExtra{A negative value stands for the default.}
   \cgalParamNEnd
   \cgalParamNBegin{use_robust_loss}
     \cgalParamDescription{whether residuals well above the noise level lose influence}
@@ -204,15 +207,18 @@ along a spline cost the more the noisier the field is, so that splines do not fo
 
 Complexity: O(n log n) for n points per round, besides the solution of the sparse normal equations.
 */
-template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>
+template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTraits,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
 Wireframe<GeomTraits> fit_curves(const Wireframe_skeleton<GeomTraits>& skeleton,
                                  const Wireframe_graph<GeomTraits>& graph,
                                  const NamedParameters& np = CGAL::parameters::default_values())
 {
   const std::function<bool(double)> callback = CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(np, CGAL::internal_np::callback), std::function<bool(double)>());
-  return internal::fit(skeleton, graph, internal::extraction_options(np),
-                       [&](double share) { return !callback || callback(share); });
+  const internal::Extraction_options options = internal::extraction_options(np);
+  return internal::run_concurrently<ConcurrencyTag>([&] {
+    return internal::fit(skeleton, graph, options, [&](double share) { return !callback || callback(share); });
+  });
 }
 
 } // namespace Wireframe_extraction

@@ -17,6 +17,7 @@
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/Curve_type_recognizer.h>
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/run_concurrently.h>
 #include <CGAL/Wireframe_extraction/internal/Typed_curve_maker.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
@@ -192,6 +193,7 @@ Then all lines, circles and ellipses are fitted once more, at once, with the ver
 all their curves, and where a cut joins a line and an arc, or two arcs, their tangents agree, if that is not less likely than
 `type_significance` either. What the common fit would make unlikely becomes a spline again. Splines follow the vertices.
 
+\tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag` (the default)
 \tparam GeomTraits a model of `WireframeExtractionTraits_3`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
@@ -233,6 +235,7 @@ all their curves, and where a cut joins a line and an arc, or two arcs, their ta
     \cgalParamDescription{the standard deviation of the distances, in multiples of r}
     \cgalParamType{`double`}
     \cgalParamDefault{what `contract_skeleton()` or `refine_field()` found}
+    \cgalParamExtra{A negative value stands for the default.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -243,7 +246,8 @@ curve becomes a circle or an ellipse, or is cut elsewhere.
 Complexity: O(n log n) for n points, besides the solution of the sparse normal equations. The number of places at which a curve
 may be cut is bounded.
 */
-template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>
+template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTraits,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
 [[nodiscard]] Wireframe<GeomTraits> recognize_curve_types(const Wireframe_skeleton<GeomTraits>& skeleton,
                                             const Wireframe<GeomTraits>& wireframe,
                                             const NamedParameters& np = CGAL::parameters::default_values())
@@ -251,7 +255,10 @@ template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_na
   Wireframe_extraction_report own_report;
   Wireframe_extraction_report& report = CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(np, internal_np::extraction_report), std::ref(own_report)).get();
-  return internal::recognize(skeleton, wireframe, internal::extraction_options(np), report.regularities);
+  const internal::Extraction_options options = internal::extraction_options(np);
+  return internal::run_concurrently<ConcurrencyTag>([&] {
+    return internal::recognize(skeleton, wireframe, options, report.regularities);
+  });
 }
 
 } // namespace Wireframe_extraction

@@ -16,10 +16,12 @@
 #include <CGAL/Wireframe_extraction/parameters.h>
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/internal/Field_refinement.h>
+#include <CGAL/Wireframe_extraction/internal/run_concurrently.h>
 #include <CGAL/Wireframe_extraction/select_skeleton.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -28,20 +30,19 @@ namespace Wireframe_extraction {
 
 namespace internal {
 
-// a field with less noise (in sampling distances) knows better than the surface where curves are
-constexpr double least_noise_to_refine = 0.03;
-
 // Surfaces with less noise (in sampling distances) tell where they are flat, so that what is left of the field there is
 // true; in the others, ends of curves are cut back to where the surface is folded.
 constexpr double least_noise_to_trim = 0.1;
 
-// the points of the surroundings that lie near features by their new distances
+// the points of the surroundings that lie near features by their new distances; null after cancelling
 inline std::shared_ptr<Field_band> refined_band(const Field_band& surroundings, const Field_refinement& refinement,
-                                                const Extraction_options& options)
+                                                const Extraction_options& options,
+                                                const std::function<bool(double)>& proceed)
 {
-  std::vector<double> deviations;
+  std::vector<double> distances, deviations;
   std::vector<char> is_on_crease;
-  const std::vector<double> distances = refinement.distances(deviations, is_on_crease);
+  if (!refinement.compute_distances(proceed, distances, deviations, is_on_crease))
+    return nullptr;
   const double widest = (std::max)(options.skeleton_distance, options.support_distance);
   auto band = std::make_shared<Field_band>();
   for (std::size_t i = 0; i < surroundings.size(); ++i) {
@@ -56,6 +57,35 @@ inline std::shared_ptr<Field_band> refined_band(const Field_band& surroundings, 
   }
   complete_band(*band, options.skeleton_distance);
   return band;
+}
+
+// returns whether it was not cancelled
+template <class GeomTraits>
+bool refine(Wireframe_skeleton<GeomTraits>& skeleton, const Extraction_options& options,
+            const std::function<bool(double)>& proceed)
+{
+  if (skeleton.support_size() == 0 || skeleton.surroundings().size() == 0 || skeleton.contraction().is_precise())
+    return true;
+  // the fits of creases take most of the time
+  const auto part = [&](double begin, double end) {
+    return [&proceed, begin, end](double share) { return proceed(begin + share * (end - begin)); };
+  };
+  Field_refinement refinement(skeleton.surroundings(), skeleton.contraction(), options.fitting_radius);
+  if (!refinement.run(part(0., 0.8)))
+    return false;
+  const std::shared_ptr<Field_band> band
+    = refined_band(skeleton.surroundings(), refinement, options, part(0.8, 0.9));
+  if (!band)
+    return false;
+  auto contraction = std::make_shared<Contraction>();
+  if (!contract(*band, options.fitting_radius, part(0.9, 1.), *contraction))
+    return false;
+  contraction->noise = options.noise_level >= 0. ? (std::min)(1., options.noise_level)
+                                                 : (std::max)(contraction->noise, refinement.typical_deviation());
+  contraction->creases = refinement.curves();
+  skeleton = skeleton.with_band(band);
+  skeleton.set_contraction(contraction);
+  return true;
 }
 
 } // namespace internal
@@ -75,9 +105,10 @@ field does not see them; the next stages start from these curves. Then all dista
 where they agree with the field or were followed; points for which no crease speaks and around which the surface is flat
 are left out; others keep their distances. The skeleton and its contraction are replaced.
 
-Fields with a noise level below 0.03 r are left as they are, and so is a skeleton that was selected with
+Precise fields, whose noise level is below 0.03 r, are left as they are, and so is a skeleton that was selected with
 `use_creases(false)`.
 
+\tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag` (the default)
 \tparam GeomTraits a model of `WireframeExtractionTraits_3`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
@@ -103,29 +134,30 @@ Fields with a noise level below 0.03 r are left as they are, and so is a skeleto
     \cgalParamDescription{the noise level of the new field, in multiples of r, at most 1}
     \cgalParamType{`double`}
     \cgalParamDefault{the median of the residuals, or the typical deviation of the creases if that is larger}
+    \cgalParamExtra{A negative value stands for the default.}
+  \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{a function that is called with the share that is done and returns whether to go on}
+    \cgalParamType{an instance of `std::function<bool(double)>`}
+    \cgalParamDefault{unused}
+    \cgalParamExtra{After cancelling, the skeleton is as it was before.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-Complexity: O(n (log n + k)) for n points around the skeleton with k neighbors each; the fits are made in parallel if
-TBB is linked, with the same result.
+Complexity: O(n (log n + k)) for n points around the skeleton with k neighbors each. The result is the same for all
+tags.
 */
-template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>
+template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTraits,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
 void refine_field(Wireframe_skeleton<GeomTraits>& skeleton,
                   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  if (skeleton.support_size() == 0 || skeleton.surroundings().size() == 0
-      || skeleton.contraction().noise < internal::least_noise_to_refine)
-    return;
+  const std::function<bool(double)> callback = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::callback), std::function<bool(double)>());
   const internal::Extraction_options options = internal::extraction_options(np);
-  const internal::Field_refinement refinement(skeleton.surroundings(), skeleton.contraction(), options.fitting_radius);
-  const std::shared_ptr<internal::Field_band> band
-    = internal::refined_band(skeleton.surroundings(), refinement, options);
-  auto contraction = std::make_shared<internal::Contraction>(internal::contract(*band, options.fitting_radius));
-  contraction->noise = options.noise_level >= 0. ? (std::min)(1., options.noise_level)
-                                                 : (std::max)(contraction->noise, refinement.typical_deviation());
-  contraction->creases = refinement.curves();
-  skeleton = skeleton.with_band(band);
-  skeleton.set_contraction(contraction);
+  internal::run_concurrently<ConcurrencyTag>([&] {
+    internal::refine(skeleton, options, [&](double share) { return !callback || callback(share); });
+  });
 }
 
 } // namespace Wireframe_extraction

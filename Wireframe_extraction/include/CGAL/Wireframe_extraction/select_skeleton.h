@@ -102,25 +102,48 @@ public:
   bool holds(const Vector& p) const { return m_cells.count(key(p, 0, 0, 0)) > 0; }
 };
 
-// The points around the skeleton whatever their distances say: what the surface looks like there.
-template <class Cloud>
-void select_surroundings(const Cloud& cloud, double unit, const Vector& origin, double reach,
-                         const Field_band& band, Field_band& surroundings)
+// Positions farther than that from the features belong to no shape: scanners write such points where they saw nothing.
+constexpr double farthest_in_units = 1e9;
+
+// the median of each coordinate: a few points, however far away, hardly move it
+inline Vector median_position(const std::vector<Vector>& points)
 {
-  Neighborhood_cells cells(reach);
-  for (std::size_t i = 0; i < band.skeleton_size; ++i)
-    cells.add(band.points[i]);
-  cloud.for_each([&](const Vector& position, double distance, std::size_t index) {
-    const Vector p = (position - origin) / unit;
-    if (!cells.holds(p))
-      return;
-    surroundings.points.push_back(p);
-    surroundings.distances.push_back(distance / unit);
-    surroundings.indices.push_back(index);
-  });
-  sort_band(surroundings);
-  surroundings.skeleton_size = band.skeleton_size;
-  surroundings.search.build(surroundings.points, surroundings.size());
+  Vector result = Vector::Zero();
+  std::vector<double> coordinates(points.size());
+  for (int k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      coordinates[i] = points[i][k];
+    result[k] = median(coordinates);
+  }
+  return result;
+}
+
+// Moves the points of a band into local coordinates, whose origin is their mean. Returns how many were left out since they
+// are too far away.
+inline std::size_t localize(Field_band& band, double unit, Vector& origin)
+{
+  origin = median_position(band.points);
+  Vector mean = Vector::Zero();
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < band.size(); ++i) {
+    const Vector p = (band.points[i] - origin) / unit;
+    if (!(p.cwiseAbs().maxCoeff() < farthest_in_units))
+      continue;
+    band.points[kept] = p;
+    band.distances[kept] = band.distances[i] / unit;
+    band.indices[kept] = band.indices[i];
+    mean += p;
+    ++kept;
+  }
+  const std::size_t strays = band.size() - kept;
+  band.points.resize(kept);
+  band.distances.resize(kept);
+  band.indices.resize(kept);
+  mean /= (std::max)(1., double(kept));
+  for (Vector& p : band.points)
+    p -= mean;
+  origin += unit * mean;
+  return strays;
 }
 
 // `cloud.for_each(f)` calls `f(position, distance, index)` for every point
@@ -128,10 +151,9 @@ template <class Cloud, class GeomTraits>
 Wireframe_skeleton<GeomTraits> select_skeleton(const Cloud& cloud, double unit,
                                                const Extraction_options& options, const GeomTraits& traits)
 {
-  auto surroundings = std::make_shared<Field_band>();
   auto band = std::make_shared<Field_band>();
   Vector origin = Vector::Zero();
-  std::size_t duplicates = 0;
+  std::size_t duplicates = 0, strays = 0;
   if (unit > 0.) {
     const double widest = unit * (std::max)(options.skeleton_distance, options.support_distance);
     cloud.for_each([&](const Vector& position, double distance, std::size_t index) {
@@ -140,19 +162,34 @@ Wireframe_skeleton<GeomTraits> select_skeleton(const Cloud& cloud, double unit,
       band->points.push_back(position);
       band->distances.push_back(distance);
       band->indices.push_back(index);
-      origin += position;
     });
-    if (band->size() > 0)
-      origin /= double(band->size());
-    for (std::size_t i = 0; i < band->size(); ++i) {
-      band->points[i] = (band->points[i] - origin) / unit;
-      band->distances[i] /= unit;
-    }
+    strays = localize(*band, unit, origin);
     duplicates = complete_band(*band, options.skeleton_distance);
-    if (options.use_creases)
-      select_surroundings(cloud, unit, origin, 2. * options.fitting_radius, *band, *surroundings);
   }
-  return Wireframe_skeleton<GeomTraits>(band, surroundings, unit, origin, duplicates, traits);
+  return Wireframe_skeleton<GeomTraits>(band, std::make_shared<Field_band>(), unit, origin, duplicates, strays, traits);
+}
+
+// The points around the skeleton whatever their distances say: what the surface looks like there.
+template <class Cloud, class GeomTraits>
+void select_surroundings(const Cloud& cloud, const Extraction_options& options, Wireframe_skeleton<GeomTraits>& skeleton)
+{
+  auto surroundings = std::make_shared<Field_band>();
+  const Field_band& band = skeleton.band();
+  Neighborhood_cells cells(2. * options.fitting_radius);
+  for (std::size_t i = 0; i < band.skeleton_size; ++i)
+    cells.add(band.points[i]);
+  cloud.for_each([&](const Vector& position, double distance, std::size_t index) {
+    const Vector p = skeleton.to_local(position);
+    if (!(p.cwiseAbs().maxCoeff() < farthest_in_units) || !cells.holds(p))
+      return;
+    surroundings->points.push_back(p);
+    surroundings->distances.push_back(distance / skeleton.unit());
+    surroundings->indices.push_back(index);
+  });
+  sort_band(*surroundings);
+  surroundings->skeleton_size = band.skeleton_size;
+  surroundings->search.build(surroundings->points, surroundings->size());
+  skeleton.set_surroundings(surroundings);
 }
 
 } // namespace internal
@@ -183,6 +220,7 @@ points below `support_distance`, which later stages fit to.
     \cgalParamDescription{the sampling distance r, in the cloud's unit}
     \cgalParamType{`double`}
     \cgalParamDefault{what `estimate_sampling_distance()` finds}
+    \cgalParamExtra{0 stands for the default.}
   \cgalParamNEnd
   \cgalParamNBegin{skeleton_distance}
     \cgalParamDescription{the threshold below which a point belongs to the skeleton, in multiples of r}
@@ -230,6 +268,8 @@ Wireframe_skeleton<typename internal::Cloud_access<PointRange, NamedParameters>:
 #endif
 select_skeleton(const PointRange& points, const NamedParameters& np = CGAL::parameters::default_values())
 {
+  static_assert(internal::Cloud_access<PointRange, NamedParameters>::has_distances,
+                "pass the distances of the points to features with the named parameter distance_map()");
   const internal::Cloud_access<PointRange, NamedParameters> access(np);
   internal::Range_source<PointRange, internal::Cloud_access<PointRange, NamedParameters> > source(points, access);
   internal::Surveyed_cloud cloud(source, internal::points_in_memory(np));
@@ -238,7 +278,11 @@ select_skeleton(const PointRange& points, const NamedParameters& np = CGAL::para
     CGAL::parameters::get_parameter(np, internal_np::sampling_distance), 0.));
   if (!(unit > 0.))
     unit = cloud.scale().sampling_distance;
-  return internal::select_skeleton(cloud, unit, internal::extraction_options(np), access.traits());
+  const internal::Extraction_options options = internal::extraction_options(np);
+  auto skeleton = internal::select_skeleton(cloud, unit, options, access.traits());
+  if (options.use_creases && !skeleton.is_empty())
+    internal::select_surroundings(cloud, options, skeleton);
+  return skeleton;
 }
 
 } // namespace Wireframe_extraction

@@ -36,14 +36,15 @@ struct Contraction
   bool is_precise() const { return noise < 0.03; }
 };
 
-inline Contraction contract(const Field_band& band, double radius)
+// `proceed(share)` returns whether to go on; this returns whether it did
+template <class Proceed>
+bool contract(const Field_band& band, double radius, const Proceed& proceed, Contraction& result)
 {
-  Contraction result;
   result.curves.resize(band.skeleton_size);
   result.residuals.resize(band.skeleton_size);
   std::vector<std::size_t> order = band.search.spatial_order();
   order.erase(std::remove_if(order.begin(), order.end(), [&](std::size_t i) { return i >= band.skeleton_size; }), order.end());
-  for_each_piece(order.size(), [&](std::size_t begin, std::size_t end) {
+  const bool is_complete = for_each_piece_or_cancel(order.size(), [&](std::size_t begin, std::size_t end) {
     Local_curve_fit fit(band);
     Local_fit_options options;
     options.radius = radius;
@@ -64,9 +65,9 @@ inline Contraction contract(const Field_band& band, double radius)
             curve.tangent = -curve.tangent;
         });
     }
-  });
+  }, proceed);
   result.noise = median(result.residuals);
-  return result;
+  return is_complete;
 }
 
 } // namespace internal

@@ -137,21 +137,21 @@ public:
   {
     Crease best;
     best.deviation = 10.;
-    // returns whether smaller balls may show more: where the surface is as it should be, they have less data only
+    // returns whether other balls may show more: where the surface is as it should be, they have less data only
     const auto try_ball = [&](double factor, double shift) {
       Crease_fit_options scaled = options;
       scaled.radius *= factor;
       const Crease crease = fit(start, start.point - shift * scaled.radius * start.tangent, scaled, previous);
       if (crease.deviation < best.deviation)
         best = crease;
-      return crease.residual > options.surface_noise;
+      return crease.residual > 1.2 * options.surface_noise;
     };
     for (double factor : {1.5, 1., 0.6, 0.4}) {
       const bool may_show_more = try_ball(factor, 0.);
-      if (previous && factor > 0.5)
-        try_ball(factor, 0.6);
       if (!may_show_more)
         break;
+      if (previous && factor > 0.5)
+        try_ball(factor, 0.6);
     }
     return best;
   }

@@ -15,7 +15,13 @@
 #include <CGAL/Wireframe_extraction/parameters.h>
 #include <CGAL/Wireframe_extraction/policies.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
 
 namespace CGAL {
 namespace Wireframe_extraction {
@@ -54,8 +60,47 @@ struct Extraction_options
   bool regularize = false;
 };
 
+// Says which option is out of its range; empty if none is.
+inline std::string out_of_range(const Extraction_options& options)
+{
+  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
+  struct Range { const char* name; double value, least, most; bool is_least_allowed; };
+  const Range ranges[] = {
+    {"noise_level", options.noise_level, -infinity, 1., false},
+    {"skeleton_distance", options.skeleton_distance, 0., infinity, false},
+    {"support_distance", options.support_distance, 0., infinity, false},
+    {"fitting_radius", options.fitting_radius, 0., infinity, false},
+    {"corner_sampling_ratio", options.corner_sampling_ratio, 0., 1., false},
+    {"corner_radius", options.corner_radius, 0., infinity, false},
+    {"corner_variance", options.corner_variance, 0., 1., true},
+    {"corner_residual", options.corner_residual, -infinity, infinity, false},
+    {"connection_radius", options.connection_radius, 0., infinity, false},
+    {"connection_angle", options.connection_angle, 0., 90., true},
+    {"split_threshold", options.split_threshold, 0., infinity, false},
+    {"corner_reach", options.corner_reach, 0., infinity, true},
+    {"maximum_gap", options.maximum_gap, 0., infinity, true},
+    {"smooth_angle", options.smooth_angle, 0., 180., true},
+    {"minimum_evidence", options.minimum_evidence, 0., infinity, true},
+    {"number_of_rounds", double(options.number_of_rounds), 1., 1000., true},
+    {"type_significance", options.type_significance, 0., 1., false}};
+  std::ostringstream message;
+  for (const Range& range : ranges) {
+    const bool is_above = range.is_least_allowed ? range.value >= range.least : range.value > range.least;
+    if (std::isfinite(range.value) && is_above && range.value <= range.most)
+      continue;
+    message << range.name << " is " << range.value << "; it must be finite";
+    if (range.least > -infinity)
+      message << (range.is_least_allowed ? ", at least " : ", more than ") << range.least;
+    if (range.most < infinity)
+      message << ", at most " << range.most;
+    break;
+  }
+  return message.str();
+}
+
+// as they were given, in their ranges or not
 template <class NamedParameters>
-Extraction_options extraction_options(const NamedParameters& np)
+Extraction_options given_options(const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -93,6 +138,15 @@ Extraction_options extraction_options(const NamedParameters& np)
   CGAL_WIREFRAME_READ(regularize);
 #undef CGAL_WIREFRAME_READ_LENGTH
 #undef CGAL_WIREFRAME_READ
+  return options;
+}
+
+// of a single stage: values out of their ranges are the caller's error
+template <class NamedParameters>
+Extraction_options extraction_options(const NamedParameters& np)
+{
+  const Extraction_options options = given_options(np);
+  CGAL_precondition_msg(out_of_range(options).empty(), out_of_range(options).c_str());
   return options;
 }
 

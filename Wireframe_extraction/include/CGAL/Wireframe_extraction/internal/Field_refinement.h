@@ -63,10 +63,16 @@ public:
   {
     m_options.radius = radius;
     m_options.field_noise = (std::max)(0.03, contraction.noise);
+  }
+
+  // `proceed(share)` returns whether to go on; this returns whether it did
+  template <class Proceed>
+  bool run(const Proceed& proceed)
+  {
     estimate_surface_noise();
     choose_places();
-    fit_creases();
-    trace_creases();
+    return fit_creases([&](double share) { return proceed(0.5 * share); })
+      && trace_creases([&](double share) { return proceed(0.5 + 0.5 * share); });
   }
 
   double surface_noise() const { return m_options.surface_noise; }
@@ -82,8 +88,10 @@ public:
     return median(deviations);
   }
 
-  // of every point of the band, and their standard deviations
-  std::vector<double> distances(std::vector<double>& deviations, std::vector<char>& is_on_crease) const
+  // of every point of the band, and their standard deviations; returns whether it was not cancelled
+  template <class Proceed>
+  bool compute_distances(const Proceed& proceed, std::vector<double>& distances, std::vector<double>& deviations,
+                         std::vector<char>& is_on_crease) const
   {
     std::vector<Vector> feet;
     std::vector<std::size_t> good;
@@ -92,55 +100,69 @@ public:
         good.push_back(i);
         feet.push_back(m_creases[i].curve.point);
       }
-    std::vector<double> result = m_band.distances;
-    deviations.assign(m_band.size(), 0.);
-    is_on_crease.assign(m_band.size(), 0);
+    distances.resize(m_band.size());
+    deviations.resize(m_band.size());
+    is_on_crease.resize(m_band.size());
     const Ball_search search(feet);
     const std::vector<std::size_t> order = m_band.search.spatial_order();
-    for_each_piece(order.size(), [&](std::size_t begin, std::size_t end) {
+    return for_each_piece_or_cancel(order.size(), [&](std::size_t begin, std::size_t end) {
       std::vector<std::size_t> found;
       for (std::size_t n = begin; n < end; ++n) {
         const std::size_t i = order[n];
         search.query(m_band.points[i], (std::min)(3., m_band.distances[i]) + 1.5, found);
-        Average any, strong;
-        double nearest = 10., deviation_of_nearest = 0.;
-        for (std::size_t k : found) {
-          const Crease& crease = m_creases[good[k]];
-          const double s = crease.curve.parameter(m_band.points[i]) / 1.5;
-          if (std::abs(s) >= 1. || !crease.holds(m_band.points[i], 0.2 + 3. * m_options.surface_noise))
-            continue;
-          const double distance = crease.curve.distance(m_band.points[i]);
-          if (crease.is_traced && std::abs(s) < 0.5 && distance < nearest) {
-            nearest = distance;
-            deviation_of_nearest = crease.deviation;
-          }
-          const double ratio = (distance - m_band.distances[i]) / (3. * m_options.field_noise * (1. + 0.3 * distance));
-          if (std::abs(ratio) >= 1.)
-            continue;
-          const double weight = (1. - s * s) * (1. - ratio * ratio) / (0.02 + crease.deviation * crease.deviation);
-          any.add(distance, crease.deviation, weight);
-          is_on_crease[i] |= crease.fold > (std::min)(0.5, least_fold(crease));
-          if (is_strong(crease))
-            strong.add(distance, crease.deviation, weight);
-        }
-        const Average& average = strong.total > 0. ? strong : any;
-        is_on_crease[i] |= strong.total > 0. || nearest < 3.;
-        if (strong.total > 0. || (any.total > 0. && nearest == 10.)) {
-          result[i] = average.mean();
-          deviations[i] = average.deviation();
-        } else if (nearest < 10.) {
-          result[i] = nearest;
-          deviations[i] = deviation_of_nearest;
-        } else if (m_band.distances[i] < 3. && is_flat_around(i, found)) {
-          result[i] = 10.;
-        } else
-          deviations[i] = m_options.field_noise * (1. + 0.3 * m_band.distances[i]);
+        for (std::size_t& k : found)
+          k = good[k];
+        const Estimate estimate = estimate_at(i, found);
+        distances[i] = estimate.distance;
+        deviations[i] = estimate.deviation;
+        is_on_crease[i] = estimate.is_on_crease;
       }
-    });
-    return result;
+    }, proceed);
   }
 
 private:
+  struct Estimate { double distance, deviation; bool is_on_crease; };
+
+  // what good creases nearby say of a point of the band; `creases` is used for more
+  Estimate estimate_at(std::size_t i, std::vector<std::size_t>& creases) const
+  {
+    static constexpr double nowhere = 10.;
+    const Vector& point = m_band.points[i];
+    const double field = m_band.distances[i];
+    Average any, strong;
+    double nearest = nowhere, deviation_of_nearest = 0.;
+    bool is_on_crease = false;
+    for (std::size_t k : creases) {
+      const Crease& crease = m_creases[k];
+      const double s = crease.curve.parameter(point) / 1.5;
+      if (std::abs(s) >= 1. || !crease.holds(point, 0.2 + 3. * m_options.surface_noise))
+        continue;
+      const double distance = crease.curve.distance(point);
+      if (crease.is_traced && std::abs(s) < 0.5 && distance < nearest) {
+        nearest = distance;
+        deviation_of_nearest = crease.deviation;
+      }
+      const double ratio = (distance - field) / (3. * m_options.field_noise * (1. + 0.3 * distance));
+      if (std::abs(ratio) >= 1.)
+        continue;
+      const double weight = (1. - s * s) * (1. - ratio * ratio) / (0.02 + crease.deviation * crease.deviation);
+      any.add(distance, crease.deviation, weight);
+      is_on_crease |= crease.fold > (std::min)(0.5, least_fold(crease));
+      if (is_strong(crease))
+        strong.add(distance, crease.deviation, weight);
+    }
+    is_on_crease |= strong.total > 0. || nearest < 3.;
+    if (strong.total > 0.)
+      return {strong.mean(), strong.deviation(), is_on_crease};
+    if (nearest < nowhere)
+      return {nearest, deviation_of_nearest, is_on_crease};
+    if (any.total > 0.)
+      return {any.mean(), any.deviation(), is_on_crease};
+    if (field < 3. && is_flat_around(i, creases))
+      return {nowhere, 0., is_on_crease};
+    return {field, m_options.field_noise * (1. + 0.3 * field), is_on_crease};
+  }
+
   bool is_good(const Crease& crease) const { return crease.deviation < 0.8 * m_options.field_noise; }
 
   // whether the surface has no crease where the field wants one
@@ -163,11 +185,14 @@ private:
   // Follows strong creases, also to where the field did not show them. Several are followed at the same time, before it
   // is known whether those with better seeds will cover them: if they do, it was in vain and is done again. So the curves
   // are those that come about one after the other.
-  void trace_creases()
+  template <class Proceed>
+  bool trace_creases(const Proceed& proceed)
   {
     const std::vector<std::size_t> seeds = crease_seeds();
     std::size_t end = 0;
     for (std::size_t begin = 0; begin < seeds.size(); begin = end) {
+      if (!proceed(double(begin) / double(seeds.size())))
+        return false;
       const std::vector<std::size_t> chosen = seeds_far_apart(seeds, begin, end);
       std::vector<Crease_path> paths(chosen.size());
       for_each_piece(chosen.size(), [&](std::size_t first, std::size_t beyond) {
@@ -186,6 +211,7 @@ private:
              seeds[n], meanwhile);
       }
     }
+    return true;
   }
 
   Crease_tracer tracer() const { return Crease_tracer(m_band, m_options, m_traced); }
@@ -284,17 +310,18 @@ private:
     m_search.build(m_positions, m_positions.size());
   }
 
-  void fit_creases()
+  template <class Proceed>
+  bool fit_creases(const Proceed& proceed)
   {
     m_creases.resize(m_places.size());
     const std::vector<std::size_t> order = m_search.spatial_order();
-    for_each_piece(order.size(), [&](std::size_t begin, std::size_t end) {
+    return for_each_piece_or_cancel(order.size(), [&](std::size_t begin, std::size_t end) {
       Crease_fit fit(m_band);
       for (std::size_t n = begin; n < end; ++n) {
         const std::size_t k = order[n];
         m_creases[k] = fit.fit_with_best_radius(m_contraction.curves[m_places[k]], m_options);
       }
-    });
+    }, proceed);
   }
 };
 

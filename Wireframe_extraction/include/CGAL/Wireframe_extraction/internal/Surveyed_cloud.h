@@ -65,6 +65,7 @@ public:
   std::size_t first_invalid() const { return m_first_invalid; }
   double smallest_distance() const { return m_smallest; }
   double largest_distance() const { return m_largest; }
+  std::size_t number_of_largest() const { return m_number_of_largest; }
 
   // why it could not be read; empty if it could
   const std::string& error() const { return m_error; }

@@ -49,6 +49,9 @@ public:
     CGAL::internal_np::point_t, NamedParameters, typename Defaults<Value>::Point_map>::type Point_map;
   typedef typename CGAL::internal_np::Lookup_named_param_def<
     internal_np::distance_map_t, NamedParameters, typename Defaults<Value>::Distance_map>::type Distance_map;
+  // bare points have none
+  static constexpr bool has_distances
+    = !std::is_same<typename std::decay<Distance_map>::type, CGAL::Constant_property_map<Value, double> >::value;
   typedef typename boost::property_traits<typename std::decay<Point_map>::type>::value_type Point;
   typedef typename CGAL::internal_np::Lookup_named_param_def<
     CGAL::internal_np::geom_traits_t, NamedParameters, typename CGAL::Kernel_traits<Point>::Kernel>::type Traits_;

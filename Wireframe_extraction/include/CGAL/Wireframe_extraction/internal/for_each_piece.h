@@ -40,6 +40,20 @@ void for_each_piece(std::size_t count, const Work& work, std::size_t size = 256)
 #endif
 }
 
+// The same, but between blocks of pieces `proceed(share)` is asked whether to go on. Returns whether all is done.
+template <class Work, class Proceed>
+bool for_each_piece_or_cancel(std::size_t count, const Work& work, const Proceed& proceed)
+{
+  static constexpr std::size_t block = 8192;
+  for (std::size_t first = 0; first < count; first += block) {
+    if (!proceed(double(first) / double(count)))
+      return false;
+    for_each_piece((std::min)(block, count - first),
+                   [&](std::size_t begin, std::size_t end) { work(first + begin, first + end); });
+  }
+  return true;
+}
+
 // how many pieces may be worked on at the same time
 inline std::size_t concurrency()
 {
