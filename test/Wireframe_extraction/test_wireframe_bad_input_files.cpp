@@ -83,7 +83,7 @@ void refuse_pair(const std::string& suffix, const std::string& content, const st
 
 void test_files()
 {
-  refuse_name("io_bad_none.ply", { "io_bad_none.ply", "cannot be opened", "No such file" });
+  refuse_name("io_bad_none.ply", { "io_bad_none.ply", "cannot be opened", "No such file", "check its name" });
   refuse_name("io_bad_none/x.xyz", { "io_bad_none/x.xyz", "cannot be opened" });
   refuse_name("", { "extension" });
   refuse_name("io_bad_none", { "unknown extension", ".ply", ".xyz", ".txt", ".csv", ".asc", ".pts" });
@@ -93,7 +93,7 @@ void test_files()
     refuse(suffix, "", { "is empty", "get a complete copy" });
     const std::string name = std::string("io_bad_directory") + suffix;
     fs::create_directory(name);
-    refuse_name(name, { name, "is a directory" });
+    refuse_name(name, { name, "is a directory", "name a file in it" });
     fs::remove(name);
   }
 }
