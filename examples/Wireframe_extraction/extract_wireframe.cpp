@@ -2,6 +2,7 @@
 
 #include "extract_wireframe_batch.h"
 #include "extract_wireframe_cloud.h"
+#include "extract_wireframe_command_line.h"
 #include "extract_wireframe_error.h"
 #include "extract_wireframe_input.h"
 #include "extract_wireframe_options.h"
@@ -20,6 +21,10 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
+#endif
+
+#ifdef EXTRACT_WIREFRAME_WITH_GLOG
+#include <glog/logging.h>
 #endif
 
 #ifdef _WIN32
@@ -499,21 +504,16 @@ int parse_and_run(int argc, char** argv)
   return options.has_batch ? run_many(command_line, options) : run_one(command_line, options);
 }
 
-// whatever went wrong is said in one line, whose start scripts can rely on
-void tell_error(std::string text)
-{
-  for(char& c : text)
-    if(static_cast<unsigned char>(c) < 32 || c == 127)
-      c = ' ';
-  std::cerr << "extract_wireframe: error: " << text << '\n';
-}
-
 } // namespace tool
 
 int main(int argc, char** argv)
 {
+#ifdef EXTRACT_WIREFRAME_WITH_GLOG
+  // Ceres logs what it cannot solve, which the library looks at by itself, to the standard error stream
+  FLAGS_minloglevel = google::GLOG_FATAL;
+#endif
   const std::pair<int, std::string> outcome = tool::outcome_of([=] { return tool::parse_and_run(argc, argv); });
   if(!outcome.second.empty())
-    tool::tell_error(outcome.second);
+    std::cerr << "extract_wireframe: error: " << tool::one_line(outcome.second) << '\n';
   return outcome.first;
 }

@@ -23,6 +23,15 @@ struct Error : std::runtime_error
   Error(Exit_code code, const std::string& text) : std::runtime_error(text), exit_code(code) {}
 };
 
+// the text with blanks for control characters, as scripts and tables can rely on one line
+inline std::string one_line(std::string text)
+{
+  for(char& c : text)
+    if(static_cast<unsigned char>(c) < 32 || c == 127)
+      c = ' ';
+  return text;
+}
+
 } // namespace tool
 
 #endif // EXTRACT_WIREFRAME_ERROR_H

@@ -4,6 +4,7 @@
 #define EXTRACT_WIREFRAME_OUTPUTS_H
 
 #include "extract_wireframe_cad.h"
+#include "extract_wireframe_error.h"
 #include "extract_wireframe_options.h"
 #include "extract_wireframe_stages.h"
 
@@ -92,6 +93,9 @@ private:
   {
     if(m_options.html.empty())
       throw Error(USAGE_ERROR, "the name of the page is empty; give --html OUT.html");
+    const std::string extension = CGAL::IO::internal::lower_extension(m_options.html);
+    if(extension != ".html" && extension != ".htm")
+      throw Error(USAGE_ERROR, m_options.html + ": a page is written into .html; give --html OUT.html");
     if(!has_viewer())
       throw Error(USAGE_ERROR, m_options.html + ": this extract_wireframe was built without the viewer that --html "
                                "needs; install npm (Debian: npm), configure and build again");
@@ -102,6 +106,8 @@ private:
   {
     if(m_options.png.empty())
       throw Error(USAGE_ERROR, "the name of the picture is empty; give --png OUT.png");
+    if(CGAL::IO::internal::lower_extension(m_options.png) != ".png")
+      throw Error(USAGE_ERROR, m_options.png + ": a picture is written into .png; give --png OUT.png");
     if(!has_png())
       throw Error(USAGE_ERROR, m_options.png + ": this extract_wireframe was built without libpng, which --png needs; "
                                "install it (Debian: libpng-dev) and build again");

@@ -128,8 +128,8 @@ Cloud random_points(std::size_t n, double distance)
 void test_few_points()
 {
   check_refused(Cloud(), Status::INVALID_INPUT, "no points");
-  check_refused(random_points(1, 0.), Status::INVALID_INPUT, "coincide");
-  check_refused(random_points(2, 0.), Status::INVALID_INPUT, "line");
+  check_refused(random_points(1, 0.), Status::INVALID_INPUT, "coincide; a wireframe needs points of a surface");
+  check_refused(random_points(2, 0.), Status::INVALID_INPUT, "line; a wireframe needs points of a surface");
   check_refused(Cloud(1000, std::make_pair(Point(0.1, 0.2, 0.3), 0.)), Status::INVALID_INPUT, "coincide");
   check_refused(Cloud(1000, std::make_pair(Point(0, 0, 0), 0.)), Status::INVALID_INPUT, "coincide");
   const Result one = run(Cloud(1, std::make_pair(Point(1, 2, 3), 0.)));
@@ -184,6 +184,7 @@ void test_values_that_are_not_finite()
       assert(refused.report.status == Status::INVALID_INPUT);
       assert(says(refused.report, "17") && says(refused.report, "2 points") && says(refused.report, "finite"));
       assert(refused.report.number_of_skipped_points == 2);
+      assert(says(refused.report, "skip_invalid(true)"));
       if (coordinate < 2)
         continue;   // to save time
       const Result skipped = run(cloud, WP::skip_invalid(true));

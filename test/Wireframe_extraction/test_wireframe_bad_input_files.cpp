@@ -83,17 +83,17 @@ void refuse_pair(const std::string& suffix, const std::string& content, const st
 
 void test_files()
 {
-  refuse_name("io_bad_none.ply", { "io_bad_none.ply", "cannot be opened", "No such file" });
+  refuse_name("io_bad_none.ply", { "io_bad_none.ply", "cannot be opened", "No such file", "check its name" });
   refuse_name("io_bad_none/x.xyz", { "io_bad_none/x.xyz", "cannot be opened" });
   refuse_name("", { "extension" });
   refuse_name("io_bad_none", { "unknown extension", ".ply", ".xyz", ".txt", ".csv", ".asc", ".pts" });
   refuse(".stl", "solid", { "unknown extension \".stl\"" });
   for(const char* const suffix : { ".ply", ".xyz", ".txt", ".csv", ".asc", ".pts" })
   {
-    refuse(suffix, "", { "is empty" });
+    refuse(suffix, "", { "is empty", "get a complete copy" });
     const std::string name = std::string("io_bad_directory") + suffix;
     fs::create_directory(name);
-    refuse_name(name, { name, "is a directory" });
+    refuse_name(name, { name, "is a directory", "name a file in it" });
     fs::remove(name);
   }
 }
@@ -230,16 +230,19 @@ void test_promises()
 
 void test_text()
 {
-  refuse(".xyz", "\n \n", { "holds no points" });
+  refuse(".xyz", "\n \n", { "holds no points", "write the cloud" });
   refuse(".xyz", "# nothing\n", { "holds no points" });
   refuse(".csv", "x,y,z,distance\n", { "holds no points" });
   refuse(".xyz", "1 2 3\n4 5 6\n", { ":1:", "3 columns", "x y z distance", "separate file" });
   refuse(".xyz", "1 2 3 4\n5 6 7\n", { ":2:", "3 columns", "4" });
   refuse(".xyz", "1 2 3 4\n\n# c\n5 6 7 8 9\n", { ":4:", "5 columns", "4" });
-  refuse(".xyz", "1 2 3 4\n5 6 7 eight\n", { ":2:", "column 4", "\"eight\"" });
+  refuse(".xyz", "1 2 3 4\n5 6 7 eight\n", { ":2:", "column 4", "\"eight\", no number", "write a number there", "leave the line out" });
   refuse(".csv", "1,2,3,4\n5,,7,8\n", { ":2:", "column 2", "empty" });
   refuse(".csv", "1,5;2,5;3,5;4,5\n", { ":1:", "\"1,5\"", "point, not a comma" });
-  refuse(".csv", "1,5 2,5 3,5 4,5\n", { ":1:", "\"5 2\"" });
+  refuse(".csv", "1,5 2,5 3,5 4,5\n", { ":1:", "decimals need a point, not a comma" });
+  refuse(".xyz", "0,0 1,0 2,0 0,5\n", { ":1:", "decimals need a point, not a comma" });
+  refuse(".xyz", "1,5\t2 3 4\n", { ":1:", "decimals need a point, not a comma" });
+  refuse(".ply", header("ascii") + "end_header\n1 2 3 4\n5,1 6 7 8\n", { ":10:", "\"5,1\"", "point, not a comma" });
   refuse(".csv", "1 2 3 4\n1,5 2 3 4\n", { ":2:", "\"1,5\"", "point, not a comma" });
   refuse(".csv", "x,y,z,distance\n1,2,3\n", { ":2:", "3 columns" });
   refuse(".csv", "x,y,z,distance\n1,2,3,4,5\n", { ":2:", "5 columns", "names has 4" });
@@ -248,6 +251,13 @@ void test_text()
   refuse(".csv", "x,y,z,nx,d\n1,2,3,4,5\n", { "distance", "x, y, z, nx, d", "distance_property" });
   refuse(".csv", "x,y,z,distance\n1,2,3,4\n", { "\"own\"", "x, y, z, distance" }, "own");
   refuse(".csv", "1,2,3,4\n", { "\"own\"", "without names" }, "own");
+  // three columns look like a normal before the distance
+  for(const char* const row : { "0 0 0 0.6 0 -0.8\n", "0 0 0 0 0 1 0.5\n" })
+  {
+    refuse(".xyz", row, { ":1:", "columns without names", "distance_property", "line of names" });
+    refuse(".xyz", row, { ":1:", "\"3\"", "from 4 to", "distance_property" }, "3");
+    refuse(".xyz", row, { ":1:", "\"8\"", "from 4 to", "distance_property" }, "8");
+  }
   refuse(".pts", "3\n1 2 3 4\n5 6 7 8\n", { "promises 3", "holds 2", "truncated" });
   refuse(".pts", "3\n3\n1 2 3 4\n", { ":2:", "1 column" });
   refuse(".txt", std::string("\x93NUMPY\x01\0\n\0\0\xff", 11), { ":1:", "no text" });
@@ -261,9 +271,11 @@ void test_values()
   refuse(".xyz", "1 2 3 4\n# c\n5 nan 7 8\n5 6 7 inf\n5 6 7 -1\n5 6 7 -1\n",
          { "4 of 5 points", "1 with a coordinate", "1 with a distance", "2 with a negative", "point 1 ",
            "line 3",
-           "5 nan 7", "skip_invalid" });
+           "5 nan 7", "skip_invalid(true)" });
   refuse(".xyz", "1 2 3 4\n5 6 7 -inf\n", { "1 of 2 points", "point 1 ", "line 2", "-inf" });
   refuse(".xyz", "1 2 3 -0.25\n", { "point 0 ", "-0.25", "negative" });
+  refuse(".xyz", "1 2 3 -0.25 1\n", { "line 1", "its distance in column 4 is -0.25" });
+  refuse(".csv", "x,y,z,nx,d\n1,2,3,4,-5\n", { "line 2", "its distance in column 5, \"d\", is -5" }, "d");
   refuse(".xyz", "1 1e999 3 0\n", { "point 0 ", "not finite" });
   refuse(".ply", header("ascii") + "end_header\n1 2 3 4\n1 2 3 NaN\n",
          { "1 of 2 points", "point 1 ", "line 10" });
@@ -287,7 +299,8 @@ void test_separate_distances()
   refuse_pair(".xyz", cloud, "1\n2\n3\n", { "2 points", "3 distances", "_distances.dat" });
   refuse_pair(".xyz", cloud, "", { "_distances.dat", "is empty" });
   refuse_pair(".xyz", cloud, "# nothing\n", { "_distances.dat", "holds no distances" });
-  refuse_pair(".xyz", cloud, "1\ntwo\n", { "_distances.dat:2:", "\"two\"" });
+  refuse_pair(".xyz", cloud, "1\ntwo\n", { "_distances.dat:2:", "\"two\"", "write a number there" });
+  refuse_pair(".xyz", cloud, "0,5\n1,5\n", { "_distances.dat:1:", "2 columns", "decimals with a point" });
   refuse_pair(".xyz", cloud, "a\nb\n1\n2\n", { "_distances.dat:2:", "\"b\"" });
   refuse_pair(".xyz", cloud, "1\n2 3\n", { "_distances.dat:2:", "2 columns" });
   refuse_pair(".xyz", cloud, "1\n\n-2\n", { "point 1 ", "negative", "_distances.dat:3" });

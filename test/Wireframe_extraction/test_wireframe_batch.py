@@ -143,6 +143,10 @@ class Batch_test(unittest.TestCase):
         done = self.run_batch("--format", "json", "--format", "polylines.txt", list_name="in/list.txt",
                               code=SOME_FAILED)
         self.assertIn("3 of 5 clouds failed", done.stderr)
+        for name in ("missing.ply", "bad.ply", "flat.xyz"):   # each is told by its name, and by that once
+            line, = [line for line in done.stderr.splitlines() if name in line]
+            self.assertRegex(line, f"\\Afailed: in/{name}: ")
+            self.assertEqual(line.count(name), 1)
         self.assertEqual(self.files(), ["a/part.json", "a/part.polylines.txt", "b/part.json", "b/part.polylines.txt",
                                         "summary.csv"])
         box, missing, bad, flat, cylinder = self.summary()
@@ -448,7 +452,10 @@ class Batch_test(unittest.TestCase):
                                  (["1/x"], ["--part", "1/x"]), (["\"0\""], ["--jobs", 0]),
                                  (["-1"], ["--timeout", -1]), (["\"x\""], ["--memory-limit", "x"]),
                                  (["list.txt", "summary"], ["--summary", "list.txt"]),
-                                 (["nowhere", "--input-dir"], ["--input-dir", "nowhere"])):
+                                 (["nowhere", "--input-dir"], ["--input-dir", "nowhere"]),
+                                 (["--view", "--png"], ["--view", "top"]),
+                                 (["--unit", ".step"], ["--format", "json", "--unit", "mm"]),
+                                 (["--obj-splines", ".obj"], ["--format", "polylines.txt", "--obj-splines"])):
             self.refuse(USAGE_ERROR, words, *arguments)
         for arguments in (["--batch", "list.txt"], ["--jobs", "2", "a.ply", "-o", "a.json"]):
             self.run_tool(*arguments, code=USAGE_ERROR)

@@ -271,7 +271,7 @@ void test_bad_npy()
 {
   const auto with = [](const std::string& entries, std::size_t number_of_bytes = 32)
   { return npy_header(entries) + std::string(number_of_bytes, '\0'); };
-  refuse(".npy", "", { "is empty" });
+  refuse(".npy", "", { "is empty", "get a complete copy" });
   refuse(".npy", "1 2 3 4\n", { "no NumPy file", "\"1 2 3 4?\"", "numpy.save()" });
   refuse(".npy", std::string("\x93NUM", 4), { "no NumPy file" });
   refuse(".npy", std::string("\x93NUMPY\x01", 7), { "truncated", "header" });
@@ -488,7 +488,7 @@ void test_bad_npz()
   const Cloud cloud = sample_cloud(50);
   const Member points = { "points.npy", npy(points_of(cloud), { 50, 3 }) };
   const Member distances = { "distances.npy", npy(distances_of(cloud), { 50 }) };
-  refuse(".npz", "", { "is empty" });
+  refuse(".npz", "", { "is empty", "get a complete copy" });
   refuse(".npz", "PK", { "no NumPy archive", "truncated", "numpy.savez()" });
   refuse(".npz", zip({}, 0), { "no array \"points\"", "(none)" });
   refuse(".npz", zip({ points, distances }, 12), { "\"points\"", "method 12", "numpy.savez()" });
@@ -694,7 +694,7 @@ void test_hdf5_rows()
 
 void test_bad_hdf5()
 {
-  refuse(".h5", "", { "is empty" });
+  refuse(".h5", "", { "is empty", "get a complete copy" });
   refuse(".h5", "1 2 3 4\n", { "no HDF5 file", "truncated" });
   {
     const Test_file file(".h5");
@@ -813,7 +813,7 @@ void test_pcd()
 
   const auto header = [](const std::string& number, const std::string& kind)
   { return pcd_header("x y z distance", "4 4 4 4", "F F F F", "1 1 1 1", number, kind); };
-  refuse(".pcd", "", { "is empty" });
+  refuse(".pcd", "", { "is empty", "get a complete copy" });
   refuse(".pcd", "ply\n", { ":1:", "\"ply\" starts no PCD file" });
   refuse(".pcd", "VERSION 0.7\nCOLOUR 1\n", { ":2:", "\"COLOUR\"" });
   refuse(".pcd", "VERSION 0.7\nFIELDS x y z\n", { "truncated", "DATA" });
@@ -873,7 +873,7 @@ void test_off()
     refuse_pair(file.name, distances.name, words);
     refuse_pair(file.name, distances.name, { file.name });
   };
-  refuse_off("", { "is empty" });
+  refuse_off("", { "is empty", "get a complete copy" });
   refuse_off("# nothing\n", { "truncated", "header" });
   refuse_off("solid\n", { ":1:", "\"solid\"", "COFF" });
   refuse_off("4OFF\n1 0 0\n0 0 0 0\n", { ":1:", "\"4OFF\"", "three coordinates" });

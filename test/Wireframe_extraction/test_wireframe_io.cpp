@@ -278,6 +278,10 @@ void test_text()
   check_reads(".pts", "3\n1 2 3 0.5\n-4 5.25 1e2 0\n7 -8 9 1\n");
   // further columns, which need not be numbers
   check_reads(".txt", "1 2 3 0.5 a 1\n-4 5.25 1e2 0 b 2\n7 -8 9 1 c 3\n");
+  check_reads(".txt", "1 2 3 0.5 1\n-4 5.25 1e2 0 2\n7 -8 9 1 3\n");
+  // of three numbers and more it has to be said which is the distance
+  check_reads(".txt", "1 2 3 0.5 0 1\n-4 5.25 1e2 0 0 1\n7 -8 9 1 0 1\n", expected_cloud(), "4");
+  check_reads(".txt", "1 2 3 0 0 1 0.5\n-4 5.25 1e2 0 0 1 0\n7 -8 9 0 0 1 1\n", expected_cloud(), "7");
 }
 
 void test_text_with_names()

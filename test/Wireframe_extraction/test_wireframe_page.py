@@ -214,6 +214,7 @@ class Content_test(Page_test):
         (self.folder / "folder.html").mkdir()
         for arguments, words in (
                 (("--html", ""), "name of the page is empty"),
+                (("--html", "page.txt"), "page.txt: a page is written into .html"),
                 (("--html", "missing/page.html"), "make it first"),
                 (("--html", "folder.html"), "is a directory"),
                 (("--html", "box.ply"), "is the same file"),

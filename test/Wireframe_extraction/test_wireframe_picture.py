@@ -155,6 +155,7 @@ class Picture_test(unittest.TestCase):
     def test_failures(self):
         for arguments, words in ((("--png", ""), "name of the picture is empty"),
                                  (("--png", "plate.ply"), "is the same file"),
+                                 (("--png", "plate.jpg"), "plate.jpg: a picture is written into .png"),
                                  (("--png", "missing/plate.png"), "make it first"),
                                  (("--png", "plate.png", "--view", "left"), "isometric|front|right|top")):
             error = self.run_tool("plate.ply", *arguments, code=USAGE_ERROR)

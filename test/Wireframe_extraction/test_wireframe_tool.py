@@ -25,6 +25,13 @@ HERE = pathlib.Path(__file__).resolve().parent
 TIME_LIMIT = 280
 WITH_CAD = os.environ.get("EXTRACT_WIREFRAME_WITH_CAD") == "1"   # whether the tool is built with OpenCASCADE
 STAGES = ["1_skeleton.ply", "2_feet.ply", "3_corners.ply", "4_clusters.ply", "5_graph.ply", "6_curves.ply"]
+# options that are refused without another one, and with what they are not
+HELPERS = {"--view": ["--png", "x.png"], "--fuse": ["--patches"], "--use-indices": ["--patches"],
+           "--indices-dataset": ["--patches"], "--unit": ["-o", "x.svg"], "--step-schema": ["-o", "x.step"],
+           "--obj-splines": ["-o", "x.obj"], "--corner-variance": ["--corner-measure", "variance"],
+           "--corner-radius": ["--paper"], "--corner-sampling-ratio": ["--corner-measure=variance"],
+           "--end-detection": ["--paper"], "--split-threshold": ["--graph-method", "subdivided"],
+           "--keep-failed": ["--batch", "list.txt"]}
 SUCCESS, INTERNAL_ERROR, USAGE_ERROR, BAD_INPUT, NO_FEATURE = range(5)
 
 
@@ -305,6 +312,13 @@ class Tool_test(unittest.TestCase):
         self.assertEqual(self.extract(self.shared / "box.ply", "-o", "out.json", "--quiet"), "")
         self.assertEqual(self.files(), ["out.json"])
 
+    def test_log_of_ceres(self):
+        """Equations that cannot be solved, of which random points have many, are no message to the user."""
+        numbers = random.Random(1)
+        write_cloud(self.folder / "c.xyz", [[numbers.random() for _ in range(3)] + [0.1 * numbers.random()]
+                                            for _ in range(20000)])
+        self.extract("c.xyz", "-o", "out.json", "--quiet")   # which says nothing
+
     def test_paper(self):
         self.extract(self.shared / "box.ply", "-o", "default.json")
         self.extract(self.shared / "box.ply", "-o", "paper.json", "--paper")
@@ -319,9 +333,10 @@ class Tool_test(unittest.TestCase):
     def test_defaults_given_explicitly(self):
         """What the help calls the default is the default."""
         given = []
-        text = " ".join(self.extract("--help").split())
-        for name, kind, value in re.findall(r"(--[a-z-]+) (\S+) (?:(?!--)[^[])*\[([^\]]+)\]", text):
-            given += [name, value]
+        for entry in re.split(r"(?m)^  (?=-)", self.extract("--help")):
+            match = re.match(r"(?s)(--[a-z-]+) .*\[(\S+)\]$", entry.strip().split("\n\n")[0])
+            if match and match[1] not in HELPERS:
+                given += match.groups()
         self.assertGreater(len(given), 30)
         self.extract(self.shared / "box.ply", "-o", "a.json", *given)
         self.extract(self.shared / "box.ply", "-o", "b.json")
@@ -493,13 +508,70 @@ class Tool_test(unittest.TestCase):
         self.refuse(USAGE_ERROR, ["--distances", "--distance-property"], "c.xyz", "-o", "out.json",
                     "--distances", "d.txt", "--distance-property", "d")
 
+    def test_booleans(self):
+        """All of them stand alone or with a value, which is true or false, whatever stands behind them."""
+        (self.folder / "c.xyz").write_text("1 2 3 4\n")
+        booleans = re.findall(r"(?m)^  (--[a-z-]+) \[true\|false\]", self.extract("--help"))
+        self.assertEqual(set(booleans), {"--obj-splines", "--patches", "--use-indices", "--skip-invalid",
+                                         "--keep-failed", "--paper", "--quiet", "--use-creases", "--use-tangents",
+                                         "--use-robust-loss", "--move-corners", "--adapt-knots", "--recognize-types",
+                                         "--splines-only", "--regularize"})
+        for name in booleans:
+            if name == "--keep-failed":
+                continue   # of batches
+            helpers = HELPERS.get(name, [])
+            for words in ([name], [name, "true"], [name, "false"], [name + "=true"], [name + "=false"]):
+                # the only thing that is wrong is the cloud
+                self.refuse(BAD_INPUT, ["c.xyz", "coincide"], *words, "c.xyz", "-o", "out.json", *helpers)
+                self.refuse(BAD_INPUT, ["c.xyz", "coincide"], "c.xyz", "-o", "out.json", *helpers, *words)
+            for value in ("maybe", "True", "1", ""):
+                self.refuse(USAGE_ERROR, [name, "true|false"] if value else [name], "c.xyz", "-o", "out.json",
+                            f"{name}={value}", *helpers)
+        self.refuse(USAGE_ERROR, ["--quiet"], "c.xyz", "-o", "out.json", "--quiet", "--quiet")
+        for words in (["true", "c.xyz"], ["c.xyz", "True"], ["--smooth-angle", "20", "false", "c.xyz"]):
+            self.refuse(USAGE_ERROR, ["is no cloud", "--quiet true"], *words, "-o", "out.json")
+
+    def test_values_of_booleans(self):
+        self.extract("--quiet", "--splines-only", "false", self.shared / "box.ply", "-o", "lines.json")
+        self.extract("--quiet=true", "--recognize-types=false", self.shared / "box.ply", "-o", "splines.json")
+        self.extract("--splines-only", self.shared / "box.ply", "-o", "others.json")
+        self.assertEqual({curve["type"] for curve in self.read_json("lines.json")["curves"]}, {"line"})
+        self.assertEqual({curve["type"] for curve in self.read_json("splines.json")["curves"]}, {"bspline"})
+        self.assertEqual(self.read_json("splines.json"), self.read_json("others.json"))
+        self.assertIn("Points", self.extract("--quiet", "false", self.shared / "box.ply", "-o", "out.json"))
+
+    def test_options_without_effect(self):
+        (self.folder / "c.xyz").write_text("1 2 3 4\n")
+        for option, others, what in (
+                (["--view", "top"], [], "--png"), (["--fuse", "median"], [], "--patches"),
+                (["--use-indices"], ["--patches", "false"], "--patches"), (["--indices-dataset", "i"], [], "--patches"),
+                (["--unit", "in"], ["-o", "x.obj"], ".svg"), (["--step-schema", "ap242"], ["-o", "x.svg"], ".step"),
+                (["--obj-splines"], ["-o", "x.svg"], ".obj"), (["--corner-variance", "0.2"], [], "variance"),
+                (["--corner-radius", "3"], [], "--corner-measure"),
+                (["--corner-sampling-ratio", "0.2"], [], "variance"),
+                (["--corner-residual", "1"], ["--paper"], "field-residual"),
+                (["--end-detection", "main-axis"], [], "--graph-method subdivided"),
+                (["--split-threshold", "3"], [], "--graph-method"), (["--maximum-gap", "3"], ["--paper"], "traced"),
+                (["--minimum-evidence", "3"], ["--graph-method", "subdivided"], "traced"),
+                (["--regularize"], ["--splines-only"], "--recognize-types"),
+                (["--regularize"], ["--paper"], "--recognize-types"),
+                (["--type-significance", "0.1"], ["--recognize-types", "false"], "--recognize-types"),
+                (["--jobs", "2"], [], "--batch"), (["--keep-failed"], [], "--batch"),
+                (["--output-dir", "x"], [], "--batch")):
+            self.refuse(USAGE_ERROR, [option[0], what, "requires"], "c.xyz", "-o", "out.json", *option, *others)
+        # what has an effect, or could have none in any case, is taken; only the cloud is wrong
+        for words in (["--regularize", "--paper", "--recognize-types"], ["--regularize", "false", "--splines-only"],
+                      ["--corner-radius", "3", "--paper"], ["--unit", "in", "-o", "x.svg"],
+                      ["--split-threshold", "3", "--graph-method", "subdivided"], ["--obj-splines", "-o", "x.obj"]):
+            self.refuse(BAD_INPUT, ["c.xyz", "coincide"], "c.xyz", "-o", "out.json", *words)
+
     def test_values_of_options(self):
         (self.folder / "c.xyz").write_text("1 2 3 4\n")
         for option, values in (("--sampling-distance", ["0", "-1", "nan", "inf", "1e999", "much", "1 2", ""]),
                                ("--skeleton-distance", ["0", "-1.5"]), ("--corner-variance", ["-0.1", "1.1"]),
                                ("--corner-sampling-ratio", ["0", "1.5"]),
                                ("--connection-angle", ["-1", "91"]),
-                               ("--smooth-angle", ["181"]), ("--use-tangents", ["maybe", "2", ""]),
+                               ("--smooth-angle", ["181"]), ("--use-tangents", ["maybe", "2"]),
                                ("--corner-measure", ["residual", "0", ""]), ("--graph-method", ["TRACED"]),
                                ("--end-detection", ["axis"]), ("--step-schema", ["ap203", "AP214", ""]),
                                ("--number-of-rounds", ["0", "2.5", "-1", "1e3"]),
@@ -594,8 +666,31 @@ class Tool_test(unittest.TestCase):
         self.refuse(BAD_INPUT, ["none.ply"], "none.ply", "-o", "out.json", "--stages", "a/b/c")
         self.refuse(BAD_INPUT, ["two lines.ply"], "two\nlines.ply", "-o", "out.json")
         for name in ("empty.ply", "empty.xyz", "empty.csv"):
-            self.refuse_text(BAD_INPUT, ["is empty"], "", name)
+            self.refuse_text(BAD_INPUT, ["is empty", "get a complete copy"], "", name)
         self.refuse_text(BAD_INPUT, ["no points"], "# nothing\n")
+
+    def test_text(self):
+        rows = "0 0 0 1\n"
+        self.refuse_text(BAD_INPUT, ["word.xyz:2: column 4", "\"a\"", "write a number there", "leave the line out"],
+                         rows + "1 0 0 a\n", "word.xyz")
+        self.refuse_text(BAD_INPUT, ["comma.xyz:1:", "need a point"], "0,0 1,0 2,0 0,5\n", "comma.xyz")
+        self.refuse_text(BAD_INPUT, ["one line", "check what holds x, y and z"],
+                         "".join(f"{i} 0 0 {i}\n" for i in range(5)), "five.xyz")
+
+    def test_columns_without_names(self):
+        """Of normals before the distance, none must pass for one."""
+        rows = ["%r %r %r 0.6 -0.58 0.55 %r" % row for row in self.box]
+        text = "\n".join(rows)
+        self.refuse_text(BAD_INPUT, ["normals.xyz:1:", "7 columns", "--distance-property", "line of names"], text,
+                         "normals.xyz")
+        for wrong in ("3", "8", "d"):
+            self.refuse_text(BAD_INPUT, ["normals.xyz:1:", f'"{wrong}"', "4 to 7"], text, "normals.xyz",
+                             "--distance-property", wrong)
+        self.refuse_text(BAD_INPUT, ["distance in column 5 is -0.58", "--skip-invalid"], text, "normals.xyz",
+                         "--distance-property", "5")
+        self.extract("normals.xyz", "-o", "a.json", "--distance-property", "7")
+        self.extract(self.shared / "box.ply", "-o", "b.json")
+        self.assertEqual(len(self.read_json("a.json")["curves"]), len(self.read_json("b.json")["curves"]))
 
     @staticmethod
     def ply(count, names=("x", "y", "z", "distance"), body="", form="ascii"):
@@ -630,7 +725,7 @@ class Tool_test(unittest.TestCase):
         bad[99] = "0 0 0 -0.5\n"
         bad[100] = "0 0 0 nan\n"
         words = ["4 of 5000", "2 with a coordinate", "1 with a distance", "1 with a negative", "point 17",
-                 "line 18", "--skip-invalid"]
+                 "line 18", "leave such points out by --skip-invalid\n"]
         self.refuse_text(BAD_INPUT, words, "".join(bad))
         self.refuse_text(BAD_INPUT, ["1 of 5000", "point 4999", "negative", "-2", "--skip-invalid"],
                          "".join(rows[:-1]) + "0 0 0 -2\n")

@@ -139,9 +139,11 @@ bool read_distance_cloud_of_files(const std::string& filename, const std::string
 ///   properties and other elements are passed over.
 /// - `.xyz`, `.txt`, `.csv`, `.asc`, `.pts`: text with one point per line, whose columns are separated by
 ///   blanks, commas, or semicolons. The distance is in the fourth column, unless a line of names before the
-///   first point (which may be a comment) says otherwise. Comments start with `#` or `//`; a first line that
-///   holds only the number of points is checked against it. Every line must have as many columns as the
-///   first.
+///   first point (which may be a comment) says otherwise; where there are no names, further columns may follow. If
+///   columns four to six look like a normal, the number of the column with the distance, counted from 1, must be given as
+///   `distance_property`. Comments start with `#` or
+///   `//`; a first line that holds only the number of points is checked against it. Every line must have as many
+///   columns as the first.
 /// - `.pcd`: ascii or binary, not compressed, with the fields `x`, `y`, `z` and one for the distance.
 /// - `.npy`: an array of floating point numbers or integers with four columns, the last of which is the distance.
 /// - `.npz`: the arrays `points` (N x 3) and `distances` (N). What `numpy.savez_compressed()` writes needs zlib.
@@ -174,10 +176,11 @@ bool read_distance_cloud_of_files(const std::string& filename, const std::string
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{distance_property}
-///     \cgalParamDescription{the name of the property or column that holds the distances}
+///     \cgalParamDescription{the name of the property or column that holds the distances; of text without names,
+///                           the number of the column, counted from 1}
 ///     \cgalParamType{`std::string`}
 ///     \cgalParamDefault{the first that is there of `distance`, `distances`, `sharpness`, `scalar_distance`,
-///                       `quality`}
+///                       `quality`; of text without names, the fourth column}
 ///     \cgalParamExtra{A name that differs in case only is taken if there is no exact match.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{points_dataset}

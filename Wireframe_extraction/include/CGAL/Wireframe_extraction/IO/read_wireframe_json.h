@@ -68,7 +68,7 @@ private:
   bool parse(std::istream& stream, Json& document)
   {
     if(stream.peek() == std::istream::traits_type::eof())
-      return fail(stream.bad() ? "cannot be read" : "is empty");
+      return fail(stream.bad() ? "cannot be read" : internal::empty_file_text());
     try
     {
       document = Json::parse(stream);

@@ -131,7 +131,9 @@ private:
   {
     const int dimension = internal::dimension(m_cloud->sample().positions);
     if (dimension < 2)
-      return fail(Report::Status::INVALID_INPUT, dimension == 0 ? "all points coincide" : "all points lie on one line");
+      return fail(Report::Status::INVALID_INPUT,
+                  std::string(dimension == 0 ? "all points coincide" : "all points lie on one line")
+                    + "; a wireframe needs points of a surface, so check what holds x, y and z");
     if (dimension == 2)
       m_report.warnings.push_back("all points lie in one plane");
     const double given = CGAL::to_double(CGAL::parameters::choose_parameter(

@@ -42,13 +42,13 @@ inline bool survey(Surveyed_cloud& cloud, bool skip_invalid, Wireframe_extractio
   if (!is_read)
     message << cloud.error();
   else if (cloud.number_of_points() == 0)
-    message << "the cloud has no points";
+    message << "the cloud has no points; a wireframe needs points of a surface";
   else if (invalid > 0 && !skip_invalid)
     message << cloud.number_of_not_finite() << " points have coordinates or distances that are not finite and "
             << cloud.number_of_negative() << " have negative distances; the first is the point with index "
-            << cloud.first_invalid() << " (counted from 0); remove them, or skip invalid points";
+            << cloud.first_invalid() << " (counted from 0); remove them, or leave them out by skip_invalid(true)";
   else if (cloud.number_of_valid() == 0)
-    message << "none of the " << cloud.number_of_points() << " points is valid";
+    message << "none of the " << cloud.number_of_points() << " points is valid; repair coordinates and distances";
   report.message = message.str();
   return report.message.empty();
 }
@@ -109,7 +109,8 @@ inline bool check_scale(const Surveyed_cloud& cloud, const Cloud_scale& scale, d
 {
   std::ostringstream message;
   if (cloud.smallest_distance() == cloud.largest_distance())
-    message << "all distances are " << cloud.smallest_distance() << ": this is no distance field";
+    message << "all distances are " << cloud.smallest_distance() << ": this is no distance field; "
+            << "give each point its own distance to the nearest sharp curve";
   else if (scale.slope > 8.)
     message << "the distances do not fit the points: from point to point they change " << scale.slope
             << " times as much as the points are apart; are they in another unit?";

@@ -66,7 +66,7 @@ protected:
   bool check_start()
   {
     return input_.require(1) > 0
-           || fail(filename_ + (input_.has_failed() ? ": cannot be read" : ": is empty"));
+           || fail(filename_ + ": " + (input_.has_failed() ? "cannot be read" : empty_file_text()));
   }
 
   // the words of the next line that has some; what follows a # is left out if lines have comments

@@ -118,7 +118,10 @@ public:
   }
 
 private:
-  static std::string malformed() { return "its header is malformed: the file is damaged, or no NumPy file"; }
+  static std::string malformed()
+  {
+    return "its header is malformed: the file is damaged, or no NumPy file; write it with numpy.save()";
+  }
 
   char next()
   {
@@ -219,7 +222,7 @@ public:
       return fail("its header promises the shape " + shape_text(header.shape) + " of "
                   + std::to_string(8 * header.size) + " bit numbers, but it has at most "
                   + std::to_string(source_.largest_rest()) + " bytes after the header: it is truncated or its header "
-                    "is wrong");
+                    "is wrong; get a complete copy of the file");
     array.shape = header.shape;
     if(!read_values(header, count, array.values))
       return false;
@@ -253,7 +256,7 @@ private:
     char start[12];
     const std::size_t size = source_.read(start, 8);
     if(size == 0)
-      return source_.error().empty() ? fail("is empty") : fail(source_.error());
+      return source_.error().empty() ? fail(empty_file_text()) : fail(source_.error());
     if(std::string_view(start, (std::min)(size, std::size_t(6))) != std::string_view("\x93NUMPY", 6))
       return fail("is no NumPy file: it starts with " + quote(std::string_view(start, size))
                   + "; numpy.save() writes one");

@@ -258,7 +258,7 @@ private:
       return "is no file in which one can go back, as the .npz format needs it";
     file_size_ = static_cast<std::uint64_t>(end);
     if(file_size_ == 0)
-      return "is empty";
+      return empty_file_text();
     const std::uint64_t tail_size = (std::min)(file_size_, std::uint64_t(end_size + longest_comment));
     std::string tail;
     if(!read_at(file_size_ - tail_size, tail_size, tail))

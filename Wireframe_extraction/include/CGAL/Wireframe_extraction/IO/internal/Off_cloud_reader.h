@@ -88,14 +88,16 @@ private:
     if(words.empty() && !next_words(words, true))
       return fail_truncated("before its number of vertices");
     if(!parse_count(words[0], count) || words.size() > 3)
-      return fail_at_line("the numbers of vertices, faces and edges are expected, found " + quote(words[0]));
+      return fail_at_line("the numbers of vertices, faces and edges are expected, found " + quote(words[0])
+                          + "; write them there");
     if(options_.distances == nullptr)
       return fail(filename_ + ": an OFF file has no distances; give them as a separate file, one per vertex, or "
                               "write a PLY file with a property of the vertices for them");
     // a vertex takes at least six bytes
     if(input_.is_size_known() && count > input_.remaining() / 6 + 1)
       return fail(filename_ + ": its header promises " + std::to_string(count) + " vertices, which "
-                  + std::to_string(input_.remaining()) + " bytes cannot hold: it is truncated or its header is wrong");
+                  + std::to_string(input_.remaining()) + " bytes cannot hold: it is truncated or its header is "
+                    "wrong; get a complete copy of the file");
     return true;
   }
 
@@ -108,7 +110,7 @@ private:
     std::array<double, 3> values = {{ 0., 0., 0. }};
     for(std::size_t i = 0; i < 3; ++i)
       if(!parse_number(words[i], values[i]))
-        return fail_at_line(quote(words[i]) + " is no number");
+        return fail_at_line("a coordinate is " + no_number_text(words[i]));
     return keep({ values[0], values[1], values[2], 0. }, input_.line_number(), sink);
   }
 };

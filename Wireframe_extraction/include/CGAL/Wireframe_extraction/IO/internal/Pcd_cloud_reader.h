@@ -108,7 +108,7 @@ private:
     const bool is_area_known = height == 0 || width <= (std::numeric_limits<std::uint64_t>::max)() / height;
     if(has_points && has_width && (!is_area_known || width * height != number_of_points_))
       return fail(filename_ + ": its header promises " + std::to_string(number_of_points_) + " POINTS, but WIDTH "
-                  + std::to_string(width) + " times HEIGHT " + std::to_string(height) + "; the header is wrong");
+                  + std::to_string(width) + " times HEIGHT " + std::to_string(height) + "; correct the header");
     if(!has_points)
       number_of_points_ = is_area_known ? width * height : (std::numeric_limits<std::uint64_t>::max)();
     return read_kind(words);
@@ -199,11 +199,12 @@ private:
         return fail_truncated(after_points(done));
       if(words.size() != number_of_columns_)
         return fail_at_line("a point with " + plural(words.size(), "value", "values") + "; the header promises "
-                            + std::to_string(number_of_columns_));
+                            + std::to_string(number_of_columns_) + ": correct one of the two");
       std::array<double, 4> values = {{ 0., 0., 0., 0. }};
       for(std::size_t i = 0; i < number_of_wanted_; ++i)
         if(!parse_number(words[wanted_[i].column], values[i]))
-          return fail_at_line(quote(words[wanted_[i].column]) + " is no number");
+          return fail_at_line("column " + std::to_string(wanted_[i].column + 1) + " is "
+                              + no_number_text(words[wanted_[i].column]));
       if(!keep({ values[0], values[1], values[2], values[3] }, input_.line_number(), sink))
         return false;
     }
@@ -218,7 +219,7 @@ private:
     if(input_.is_size_known() && number_of_points_ > input_.remaining() / point_size_)
       return fail(filename_ + ": header promises " + std::to_string(number_of_points_) + " points of "
                   + std::to_string(point_size_) + " bytes, the file has " + std::to_string(input_.remaining())
-                  + " bytes after the header: it is truncated or its header is wrong");
+                  + " bytes after the header: it is truncated or its header is wrong; get a complete copy of the file");
     for(std::uint64_t done = 0; done < number_of_points_; ++done)
     {
       if(input_.require(point_size_) < point_size_)
@@ -238,7 +239,7 @@ private:
   bool fail_at_end()
   {
     return fail(filename_ + ": holds more than the " + std::to_string(number_of_points_)
-                + " points its header promises; the header is wrong");
+                + " points its header promises; correct the number there");
   }
 
   std::string after_points(std::uint64_t count) const

@@ -176,7 +176,7 @@ private:
       if(is_vertex && vertex_element_ == 0 && !element.has_list())
         text += " (" + std::to_string(rest / entry_size) + " of " + std::to_string(element.count)
                 + " vertices)";
-      return fail(text + ": it is truncated or its header is wrong");
+      return fail(text + ": it is truncated or its header is wrong; get a complete copy of the file");
     }
     return true;
   }
@@ -220,7 +220,8 @@ private:
     input_.consume(count_size);
     if(count < 0. || count > 1e15)
       return fail(filename_ + ": the list " + quote(property.name) + " claims to have "
-                  + number_to_string(count) + " entries: the file is damaged or its header is wrong");
+                  + number_to_string(count) + " entries: the file is damaged or its header is wrong; get a complete "
+                  "copy of it");
     return input_.skip(static_cast<std::uint64_t>(count) * size_of(property.type));
   }
 
@@ -313,21 +314,21 @@ private:
     {
       if(position >= words.size())
         return fail_at_line("a vertex with only " + plural(words.size(), "value", "values")
-                            + "; the header promises " + std::to_string(properties.size()) + " properties");
+                            + "; the header promises " + std::to_string(properties.size())
+                            + " properties: complete the line, or correct the header");
       std::uint64_t list_size = 0;
       if(!properties[i].is_list ? !parse_number(words[position], values[i])
                                 : !parse_count(words[position], list_size))
-        return fail_at_line(quote(words[position]) + " is no "
-                            + (properties[i].is_list ? "number of list entries" : "number")
-                            + " (property " + quote(properties[i].name) + ")");
+        return fail_at_line((properties[i].is_list ? "the number of entries of " : "the property ")
+                            + quote(properties[i].name) + " is " + no_number_text(words[position]));
       ++position;
       if(list_size > words.size() - position)
-        return fail_at_line("the list " + quote(properties[i].name) + " is shorter than it says");
+        return fail_at_line("the list " + quote(properties[i].name) + " is shorter than it says; correct the line");
       position += static_cast<std::size_t>(list_size);
     }
     if(position < words.size())
       return fail_at_line("a vertex with " + plural(words.size(), "value", "values")
-                          + ", more than the header promises");
+                          + ", more than the header promises; correct one of the two");
     return true;
   }
 
@@ -359,7 +360,7 @@ private:
     if(!has_more)
       return error_.empty();
     return fail(filename_ + ": holds more than the " + std::to_string(number_of_vertices())
-                + " vertices its header promises; the header is wrong");
+                + " vertices its header promises; correct the number there");
   }
 
   Ply_header header_;

@@ -104,7 +104,7 @@ public:
       if(status != Chunked_input::Line_status::LINE)
       {
         error = filename + ": its PLY header has no \"end_header\" line; the file is truncated or no "
-                "PLY file";
+                "PLY file; get a complete copy of it";
         return false;
       }
       std::string problem;
@@ -117,12 +117,12 @@ public:
         problem = read_line(line, is_format_known);
       if(!problem.empty())
       {
-        error = place + problem;
+        error = place + problem + "; correct the header, or write the file again";
         return false;
       }
     }
     if(!is_format_known)
-      error = filename + ": its PLY header has no \"format\" line";
+      error = filename + ": its PLY header has no \"format\" line; add one, such as \"format ascii 1.0\"";
     return is_format_known;
   }
 

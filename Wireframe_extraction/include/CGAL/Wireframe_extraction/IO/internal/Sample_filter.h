@@ -112,6 +112,9 @@ public:
     return false;
   }
 
+  // where the distances stand, for messages, such as " in column 4"
+  void set_distance_place(const std::string& place) { distance_place_ = place; }
+
   std::size_t number_of_samples() const { return number_of_samples_; }
 
   std::size_t number_of_invalid() const
@@ -123,7 +126,7 @@ public:
   bool is_cloud_usable(const std::string& filename, std::string& error) const
   {
     if(number_of_samples_ == 0)
-      error = filename + ": holds no points";
+      error = filename + ": holds no points; write the cloud into it again";
     else if(options_.distances != nullptr && options_.distances->values.size() != number_of_samples_)
       error = filename + ": holds " + plural(number_of_samples_, "point", "points") + ", but "
               + options_.distances->filename + " holds "
@@ -131,9 +134,9 @@ public:
               + "; each point needs exactly one";
     else if(number_of_invalid() > 0 && !options_.skip_invalid)
       error = filename + ": " + invalid_text()
-              + ". Repair the file, or ask for such points to be skipped (skip_invalid)";
+              + ". Repair the file, or leave such points out by skip_invalid(true)";
     else if(number_of_invalid() == number_of_samples_)
-      error = filename + ": no point is left after skipping: " + invalid_text();
+      error = filename + ": no point is left after skipping: " + invalid_text() + ". Repair the file";
     else
       return true;
     return false;
@@ -161,7 +164,7 @@ private:
       ++(is_usable(sample.distance) ? negative_distances_ : invalid_distances_);
       if(is_first)
       {
-        what = "its distance is " + number_to_string(sample.distance);
+        what = "its distance" + distance_place_ + " is " + number_to_string(sample.distance);
         if(options_.distances != nullptr)
         {
           const std::size_t bad_line = options_.distances->first_bad_line;
@@ -192,7 +195,7 @@ private:
   const Cloud_reader_options& options_;
   std::size_t number_of_samples_ = 0;
   std::size_t invalid_coordinates_ = 0, invalid_distances_ = 0, negative_distances_ = 0;
-  std::string first_invalid_;
+  std::string first_invalid_, distance_place_;
 };
 
 } // namespace internal

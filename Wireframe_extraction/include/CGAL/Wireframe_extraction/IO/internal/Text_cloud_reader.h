@@ -72,6 +72,19 @@ public:
   // to be called when the first row of data was recognised: from now on its separator is the separator
   void fix_separator() { is_separator_fixed_ = true; }
 
+  // Whether columns of numbers were split at commas that can only be decimal ones: "0,5 1,5" is 0, 5 1 and 5.
+  bool has_decimal_commas(const std::vector<std::string_view>& fields) const
+  {
+    std::vector<std::string_view> words;
+    double value;
+    return separator_ == ',' && std::any_of(fields.begin(), fields.end(), [&](std::string_view field)
+    {
+      split_at_blanks(field, words);
+      return words.size() > 1 && std::all_of(words.begin(), words.end(),
+                                             [&](std::string_view word) { return parse_number(word, value); });
+    });
+  }
+
   // the last comment before the first row of data
   const std::string& last_comment() const { return last_comment_; }
 
@@ -177,7 +190,7 @@ public:
         break;
       if(number_of_columns_ == 0 && is_preamble(fields))
         continue;
-      if(number_of_columns_ == 0 && !find_columns(fields.size()))
+      if(number_of_columns_ == 0 && !find_columns(fields))
         return false;
       if(!read_row(fields) || (chunk_.size() == samples_per_chunk && !flush(sink)))
         return false;
@@ -234,10 +247,13 @@ private:
       names_.clear();
   }
 
-  bool find_columns(std::size_t number_of_columns)
+  bool find_columns(const std::vector<std::string_view>& fields)
   {
+    const std::size_t number_of_columns = fields.size();
     table_.fix_separator();
     number_of_columns_ = number_of_columns;
+    if(table_.has_decimal_commas(fields))
+      return table_.fail_at_line("the numbers have decimal commas; decimals need a point, not a comma");
     if(number_of_columns < number_of_wanted())
       return table_.fail_at_line("the row has " + plural(number_of_columns, "column", "columns")
                                  + ", at least "
@@ -249,8 +265,9 @@ private:
       take_names_from_comment(number_of_columns);
     else if(names_.size() != number_of_columns)
       return table_.fail_at_line("the row has " + plural(number_of_columns, "column", "columns")
-                                 + ", the line of names has " + std::to_string(names_.size()));
-    return find_coordinate_columns() && (number_of_wanted() == 3 || find_distance_column());
+                                 + ", the line of names has " + std::to_string(names_.size())
+                                 + "; name every column once");
+    return find_coordinate_columns() && (number_of_wanted() == 3 || find_distance_column(fields));
   }
 
   bool find_coordinate_columns()
@@ -265,17 +282,52 @@ private:
     if(number_of_found == 0)
       columns_ = {{ 0, 1, 2, 3 }};
     else if(number_of_found < 3)
-      return fail_at_names("the columns of x, y and z cannot all be found");
+      return fail_at_names("the columns of x, y and z cannot all be found; name them so");
     return true;
   }
 
-  bool find_distance_column()
+  bool find_distance_column(const std::vector<std::string_view>& fields)
   {
-    if(names_.empty() && options_.distance_property.empty())
-    {
-      columns_[3] = 3;
-      return true;
-    }
+    if(!(names_.empty() ? find_distance_column_by_number(fields) : find_distance_column_by_name()))
+      return false;
+    filter_.set_distance_place(" in column " + std::to_string(columns_[3] + 1)
+                               + (names_.empty() ? "" : ", " + quote(names_[columns_[3]]) + ","));
+    return true;
+  }
+
+  // Whether the numbers behind the coordinates are a vector of length 1: a normal, rather than a distance and more.
+  static bool may_have_normals(const std::vector<std::string_view>& fields)
+  {
+    double square = 0., value;
+    return fields.size() > 5
+           && std::all_of(fields.begin() + 3, fields.begin() + 6, [&](std::string_view field)
+              {
+                const bool is_number = parse_number(field, value);
+                square += value * value;
+                return is_number;
+              })
+           && std::abs(square - 1.) < 0.02;
+  }
+
+  bool find_distance_column_by_number(const std::vector<std::string_view>& fields)
+  {
+    const std::string& wanted = options_.distance_property;
+    std::size_t number = 4;
+    if(wanted.empty() && may_have_normals(fields))
+      return table_.fail_at_line("the row has " + std::to_string(number_of_columns_) + " columns without names, of which "
+                                 "4 to 6 look like a normal; say which one holds the distance by its number, "
+                                 "counted from 1 (distance_property), or put a line of names first");
+    if(!wanted.empty() && (!parse_count(std::string_view(wanted), number) || number < 4 || number > number_of_columns_))
+      return table_.fail_at_line("no column is named " + quote(wanted) + ", as the file's columns are without names; "
+                                 "give the number of the one with the distance, from 4 to "
+                                 + std::to_string(number_of_columns_) + " (distance_property), or put a line of names "
+                                 "first");
+    columns_[3] = number - 1;
+    return true;
+  }
+
+  bool find_distance_column_by_name()
+  {
     columns_[3] = find_distance_name(names_, options_.distance_property);
     if(columns_[3] < names_.size())
       return true;
@@ -290,8 +342,7 @@ private:
 
   bool fail_at_names(const std::string& what)
   {
-    return table_.fail(table_.filename() + ": " + what + "; the file's columns are: "
-                       + (names_.empty() ? "(without names)" : join(names_)));
+    return table_.fail(table_.filename() + ": " + what + "; the file's columns are: " + join(names_));
   }
 
   bool read_row(const std::vector<std::string_view>& fields)
@@ -305,21 +356,13 @@ private:
     {
       const std::string_view field = fields[columns_[i]];
       if(!parse_number(field, values[i]))
-        return fail_at_field(field, columns_[i]);
+        return table_.fail_at_line("column " + std::to_string(columns_[i] + 1) + " is " + no_number_text(field)
+                                   + ", or leave the line out");
     }
     Distance_sample sample = { values[0], values[1], values[2], values[3] };
     if(filter_(sample, table_.line_number()))
       chunk_.push_back(sample);
     return true;
-  }
-
-  bool fail_at_field(std::string_view field, std::size_t column)
-  {
-    std::string text = "column " + std::to_string(column + 1) + " is ";
-    text += field.empty() ? std::string("empty") : quote(field) + ", no number";
-    if(field.find(',') != std::string_view::npos)
-      text += " (decimals are written with a point, not a comma)";
-    return table_.fail_at_line(text);
   }
 
   template <class Sink>
@@ -336,14 +379,15 @@ private:
       return true;
     return table_.fail(table_.filename() + ": its first line promises " + std::to_string(promised_count_)
                        + " points, it holds " + std::to_string(filter_.number_of_samples())
-                       + ": it is truncated or its first line is wrong");
+                       + ": it is truncated or its first line is wrong; get a complete copy of it, or correct "
+                         "that line");
   }
 
   bool is_cloud_usable()
   {
     std::string error;
     if(table_.is_empty_file())
-      error = table_.filename() + ": is empty";
+      error = table_.filename() + ": " + empty_file_text();
     else if(filter_.is_cloud_usable(table_.filename(), error))
       return true;
     return table_.fail(error);
@@ -382,15 +426,17 @@ inline bool read_separate_distances(std::istream& stream, const std::string& fil
       has_names = true;
     else
     {
-      table.fail_at_line(fields.size() == 1 ? quote(fields[0]) + " is no number"
+      table.fail_at_line(fields.size() == 1 ? "the distance is " + no_number_text(fields[0])
                                             : "a distances file has one number per line, this line has "
-                                              + std::to_string(fields.size()) + " columns");
+                                              + std::to_string(fields.size()) + " columns; remove all but the "
+                                                "distance, and write decimals with a point");
       break;
     }
   }
   error = table.error();
   if(error.empty() && distances.values.empty())
-    error = filename + (table.is_empty_file() ? ": is empty" : ": holds no distances");
+    error = filename + ": "
+            + (table.is_empty_file() ? empty_file_text() : "holds no distances; write one for each point into it");
   return error.empty();
 }
 

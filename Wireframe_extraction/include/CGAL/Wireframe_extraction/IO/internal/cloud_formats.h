@@ -66,7 +66,7 @@ std::string with_array_file(Cloud_format format, const std::string& filename, st
   }
 #ifdef CGAL_WIREFRAME_EXTRACTION_USE_HDF5
   if(stream.peek() == std::istream::traits_type::eof())
-    return filename + ": is empty";
+    return filename + ": " + empty_file_text();
   Hdf5_file file(filename);
   return file.open(error) ? use(file) : error;
 #else
@@ -182,7 +182,7 @@ inline std::string read_distances_file(const std::string& filename, const Cloud_
       return error;
   }
   if(array.values.empty())
-    return filename + ": holds no distances";
+    return filename + ": holds no distances; write one for each point into it";
   distances.filename = filename;
   distances.values.swap(array.values);
   return std::string();

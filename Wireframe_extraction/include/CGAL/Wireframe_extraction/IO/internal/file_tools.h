@@ -41,13 +41,14 @@ inline bool open_input_file(const std::string& filename, std::ifstream& stream, 
   std::error_code code;
   if(std::filesystem::is_directory(filename, code))
   {
-    error = filename + ": is a directory, not a file";
+    error = filename + ": is a directory, not a file; name a file in it";
     return false;
   }
   errno = 0;
   stream.open(filename, std::ios::in | std::ios::binary);
   if(!stream)
-    error = filename + ": cannot be opened for reading: " + system_error_text(errno);
+    error = filename + ": cannot be opened for reading: " + system_error_text(errno)
+            + (errno == ENOENT ? "; check its name" : "");
   return stream.is_open();
 }
 

@@ -180,6 +180,17 @@ std::string join(const Names& names)
   return text.empty() ? "(none)" : text;
 }
 
+// what is wrong with a file without a single byte, and what helps
+inline const char* empty_file_text() { return "is empty; get a complete copy of the file"; }
+
+// what is wrong with a text that is to be a number, and what helps
+inline std::string no_number_text(std::string_view text)
+{
+  return (text.empty() ? std::string("empty") : quote(text) + ", no number")
+         + (text.find(',') != std::string_view::npos ? "; decimals need a point, not a comma"
+                                                     : "; write a number there");
+}
+
 inline std::string plural(std::size_t count, const std::string& one, const std::string& many)
 {
   return std::to_string(count) + " " + (count == 1 ? one : many);
