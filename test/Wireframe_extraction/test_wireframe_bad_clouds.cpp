@@ -3,6 +3,7 @@
 #include <CGAL/extract_wireframe.h>
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/assertions.h>
 
 #include <Sample_solids/Sample_solids.h>
 
@@ -65,7 +66,9 @@ Result run(const Cloud& cloud, const NamedParameters& np)
   Result result;
   result.wireframe = CGAL::extract_wireframe(cloud, np.extraction_report(std::ref(result.report)));
   check(result.wireframe, result.report);
-  assert(result.report.number_of_points == cloud.size());
+  // what is wrong with a parameter is said before the cloud is looked at
+  const bool is_refused = result.report.message.find("it must be") != std::string::npos;
+  assert(result.report.number_of_points == (is_refused ? 0 : cloud.size()));
   return result;
 }
 
@@ -388,6 +391,79 @@ void test_tiny_clouds()
   assert(number_of_successes > 0 && number_of_failures > 0);    // both ways were tried
 }
 
+// ---- parameters out of their ranges
+
+template <class NamedParameters>
+void refuse_parameter(const NamedParameters& np, const std::string& name)
+{
+  const Result result = run(box(), np);
+  assert(result.report.status == Report::Status::INVALID_INPUT && result.wireframe.is_empty());
+  assert(says(result.report, name + " is ") && says(result.report, "it must be finite"));
+}
+
+void test_parameters_out_of_range()
+{
+  const double nan = (std::numeric_limits<double>::quiet_NaN)(), infinity = (std::numeric_limits<double>::infinity)();
+  for (double x : {-1., 0., nan, infinity}) {
+    refuse_parameter(WP::skeleton_distance(x), "skeleton_distance");
+    refuse_parameter(WP::support_distance(x), "support_distance");
+    refuse_parameter(WP::fitting_radius(x), "fitting_radius");
+    refuse_parameter(WP::corner_radius(x), "corner_radius");
+    refuse_parameter(WP::corner_sampling_ratio(x), "corner_sampling_ratio");
+    refuse_parameter(WP::connection_radius(x), "connection_radius");
+    refuse_parameter(WP::split_threshold(x), "split_threshold");
+    refuse_parameter(WP::type_significance(x), "type_significance");
+  }
+  for (double x : {-1., nan, infinity}) {
+    refuse_parameter(WP::corner_reach(x), "corner_reach");
+    refuse_parameter(WP::maximum_gap(x), "maximum_gap");
+    refuse_parameter(WP::minimum_evidence(x), "minimum_evidence");
+  }
+  refuse_parameter(WP::smooth_angle(181.), "smooth_angle");
+  refuse_parameter(WP::connection_angle(91.), "connection_angle");
+  refuse_parameter(WP::noise_level(1.1), "noise_level");
+  refuse_parameter(WP::number_of_rounds(0), "number_of_rounds");
+  // a stage alone has a precondition
+  auto skeleton = WE::select_skeleton(box());
+  bool is_refused = false;
+  try {
+    WE::contract_skeleton(skeleton, WP::fitting_radius(-4.));
+  } catch (const CGAL::Precondition_exception&) {
+    is_refused = true;
+  }
+  assert(is_refused && !skeleton.is_contracted());
+}
+
+// ---- a field that was cut off, and points that are far away
+
+void test_truncated_fields()
+{
+  const double r = WE::estimate_sampling_distance(box());
+  const auto cut_off = [&](double bound) {
+    Cloud cloud = box();
+    for (auto& sample : cloud)
+      sample.second = (std::min)(sample.second, bound * r);
+    return cloud;
+  };
+  const Result early = run(cut_off(1.2));
+  assert(early.report.status == Report::Status::INVALID_INPUT && says(early.report, "cut off"));
+  const Result tight = run(cut_off(2.));
+  assert(is_box(tight) && tight.report.warnings.size() == 1
+         && tight.report.warnings[0].find("cut off") != std::string::npos);
+  assert(run(cut_off(3.5)).report.warnings.empty());
+}
+
+void test_points_far_away()
+{
+  for (double x : {1e12, 1e16, 1e18, 1e30, 3.4028235e38, 1e300}) {
+    Cloud cloud = box();
+    cloud.emplace_back(Point(x, 0., 0.), 0.);
+    const Result result = run(cloud);
+    assert(is_box(result) && result.report.warnings.size() == 1
+           && result.report.warnings[0].find("1 points near features lie so far") != std::string::npos);
+  }
+}
+
 // ---- parameters at their limits
 
 void test_odd_parameters()
@@ -432,5 +508,8 @@ int main()
   test_huge_coordinates();
   test_other_sizes();
   test_tiny_clouds();
+  test_parameters_out_of_range();
+  test_truncated_fields();
+  test_points_far_away();
   test_odd_parameters();
 }

@@ -199,7 +199,12 @@ void test_sampling_distance()
   for (const auto& sample : cloud_of("box", 0.025))
     points.emplace_back(1024. * sample.first.x(), 1024. * sample.first.y(), 1024. * sample.first.z());
   const double estimate = WE::estimate_sampling_distance(points);
-  assert(estimate == 1024. * WE::estimate_sampling_distance(cloud_of("box", 0.025)));
+  assert(std::abs(estimate / (1024. * WE::estimate_sampling_distance(cloud_of("box", 0.025))) - 1.) < 0.01);
+  // the order does not matter
+  Cloud cloud = cloud_of("box", 0.025);
+  const double before = WE::estimate_sampling_distance(cloud);
+  std::reverse(cloud.begin(), cloud.end());
+  assert(WE::estimate_sampling_distance(cloud) == before);
 }
 
 void test_sampling_distance_of_few_points()
