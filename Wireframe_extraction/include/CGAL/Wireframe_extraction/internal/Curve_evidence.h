@@ -14,11 +14,14 @@
 
 #include <CGAL/Wireframe_extraction/internal/Curve_network.h>
 #include <CGAL/Wireframe_extraction/internal/Polyline_feet.h>
+#include <CGAL/Wireframe_extraction/internal/for_each_piece.h>
 
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
@@ -35,13 +38,52 @@ class Curve_evidence
   double m_noise, m_least_tolerance;
 
   static constexpr double farthest = 4.;
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  static constexpr std::uint32_t none = Polyline_foot::no_curve;
 
   double loss(std::size_t i, double distance) const
   {
     const double tolerance = (std::max)(m_least_tolerance, 2.5 * m_band.deviation(i, m_noise));
     const double ratio = (m_band.distances[i] - distance) / tolerance;
     return (std::min)(1., ratio * ratio);
+  }
+
+  struct Two_nearest
+  {
+    double first = farthest, second = farthest;
+    std::uint32_t curve = none, other = none;
+
+    void add(std::uint32_t c, double distance)
+    {
+      if (curve == c)
+        first = (std::min)(first, distance);
+      else if (distance < first) {
+        second = first;
+        other = curve;
+        first = distance;
+        curve = c;
+      } else if (distance < second) {
+        second = distance;
+        other = c;
+      }
+    }
+  };
+
+  // Finds the feet on several polylines at the same time, and takes them in one after the other.
+  void add_nearest(const std::vector<const std::vector<Vector>*>& polylines, std::size_t first, std::size_t beyond,
+                   std::vector<Two_nearest>& nearest) const
+  {
+    struct Found { std::uint32_t point; double distance; };
+    std::vector<std::vector<Found> > found(beyond - first);
+    for_each_piece(found.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k)
+        if (polylines[first + k])
+          visit_feet(m_band, first + k, *polylines[first + k], farthest, [&](std::size_t i, const Polyline_foot& foot) {
+            found[k].push_back({static_cast<std::uint32_t>(i), foot.distance});
+          });
+    }, 1);
+    for (std::size_t k = 0; k < found.size(); ++k)
+      for (const Found& foot : found[k])
+        nearest[foot.point].add(static_cast<std::uint32_t>(first + k), foot.distance);
   }
 
 public:
@@ -58,24 +100,10 @@ public:
   // polylines[c] may be empty: no such curve
   Scores scores(const std::vector<const std::vector<Vector>*>& polylines) const
   {
-    struct Two_nearest { double first = farthest, second = farthest; std::size_t curve = none, other = none; };
     std::vector<Two_nearest> nearest(m_band.size());
-    for (std::size_t c = 0; c < polylines.size(); ++c)
-      if (polylines[c])
-        visit_feet(m_band, c, *polylines[c], farthest, [&](std::size_t i, const Polyline_foot& foot) {
-          Two_nearest& of_point = nearest[i];
-          if (of_point.curve == c)
-            of_point.first = (std::min)(of_point.first, foot.distance);
-          else if (foot.distance < of_point.first) {
-            of_point.second = of_point.first;
-            of_point.other = of_point.curve;
-            of_point.first = foot.distance;
-            of_point.curve = c;
-          } else if (foot.distance < of_point.second) {
-            of_point.second = foot.distance;
-            of_point.other = c;
-          }
-        });
+    const std::size_t at_once = 4 * concurrency();
+    for (std::size_t first = 0; first < polylines.size(); first += at_once)
+      add_nearest(polylines, first, (std::min)(polylines.size(), first + at_once), nearest);
     Scores result;
     result.gains.assign(polylines.size(), 0.);
     result.neighbors.resize(polylines.size());

@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NEIGHBOR_SCAN_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NEIGHBOR_SCAN_H
 
+#include <CGAL/Wireframe_extraction/internal/for_each_piece.h>
 #include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>
@@ -24,7 +25,6 @@
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -73,27 +73,19 @@ class Neighbor_scan
     }
   };
 
-  // Cells of one size, and the queries whose balls reach into them.
-  struct Level
+  // Cells of one size, and the queries whose balls reach into them: a hash table with open addressing, whose size is a power
+  // of two.
+  class Level
   {
-    double cell;
-    std::unordered_map<std::uint64_t, std::vector<std::uint32_t> > queries;
+    struct Entry { std::uint64_t key; std::uint32_t query, is_used; };
 
-    explicit Level(double cell_) : cell(cell_) {}
+    double m_cell, m_per_cell;
+    std::vector<Entry> m_entries;
+    std::size_t m_size = 0;
 
-    std::int64_t index(double x) const
-    {
-      const double k = std::floor(x / cell);
-      return static_cast<std::int64_t>((std::max)(-1e15, (std::min)(1e15, k)));
-    }
-
-    // cells that have the same key by chance only cost time
-    static std::uint64_t key(std::int64_t i, std::int64_t j, std::int64_t k)
-    {
-      const std::uint64_t mask = 0x1fffff;
-      return (static_cast<std::uint64_t>(i) & mask) << 42 | (static_cast<std::uint64_t>(j) & mask) << 21
-        | (static_cast<std::uint64_t>(k) & mask);
-    }
+  public:
+    // `cell` is a power of two
+    explicit Level(double cell) : m_cell(cell), m_per_cell(1. / cell), m_entries(1024, Entry{0, 0, 0}) {}
 
     void add(std::uint32_t query, const Vector& p, double radius)
     {
@@ -105,7 +97,59 @@ class Neighbor_scan
       for (std::int64_t i = low[0]; i <= high[0]; ++i)
         for (std::int64_t j = low[1]; j <= high[1]; ++j)
           for (std::int64_t k = low[2]; k <= high[2]; ++k)
-            queries[key(i, j, k)].push_back(query);
+            insert(key(i, j, k), query);
+    }
+
+    // calls `use(query)` for the queries whose balls reach into the cell of a point
+    template <class Use>
+    void visit(const Vector& p, const Use& use) const
+    {
+      const std::uint64_t wanted = key(index(p.x()), index(p.y()), index(p.z()));
+      for (std::size_t slot = home(wanted); m_entries[slot].is_used; slot = (slot + 1) & (m_entries.size() - 1))
+        if (m_entries[slot].key == wanted)
+          use(m_entries[slot].query);
+    }
+
+  private:
+    std::int64_t index(double x) const
+    {
+      const double k = std::floor(x * m_per_cell);
+      return static_cast<std::int64_t>((std::max)(-1e15, (std::min)(1e15, k)));
+    }
+
+    // cells that have the same key by chance only cost time
+    static std::uint64_t key(std::int64_t i, std::int64_t j, std::int64_t k)
+    {
+      const std::uint64_t mask = 0x1fffff;
+      return (static_cast<std::uint64_t>(i) & mask) << 42 | (static_cast<std::uint64_t>(j) & mask) << 21
+        | (static_cast<std::uint64_t>(k) & mask);
+    }
+
+    std::size_t home(std::uint64_t key) const
+    {
+      const std::uint64_t mixed = key * 0x9e3779b97f4a7c15u;
+      return static_cast<std::size_t>(mixed ^ (mixed >> 32)) & (m_entries.size() - 1);
+    }
+
+    void insert(std::uint64_t key, std::uint32_t query)
+    {
+      if (2 * (m_size + 1) > m_entries.size()) {
+        std::vector<Entry> entries(2 * m_entries.size(), Entry{0, 0, 0});
+        entries.swap(m_entries);
+        for (const Entry& entry : entries)
+          if (entry.is_used)
+            place(entry);
+      }
+      place(Entry{key, query, 1});
+      ++m_size;
+    }
+
+    void place(const Entry& entry)
+    {
+      std::size_t slot = home(entry.key);
+      while (m_entries[slot].is_used)
+        slot = (slot + 1) & (m_entries.size() - 1);
+      m_entries[slot] = entry;
     }
   };
 
@@ -151,13 +195,35 @@ public:
   }
 
   // shows it a point of the cloud
-  void operator()(const Vector& p, double distance)
+  void add(const Vector& p, double distance)
   {
-    for (const Level& level : m_levels) {
-      const auto found = level.queries.find(Level::key(level.index(p.x()), level.index(p.y()), level.index(p.z())));
-      if (found != level.queries.end())
-        for (std::uint32_t q : found->second)
-          m_queries[q].add(p, distance);
+    for (const Level& level : m_levels)
+      level.visit(p, [&](std::uint32_t q) { m_queries[q].add(p, distance); });
+  }
+
+  // shows it all points of the cloud; which may be neighbors is found out at the same time, block by block
+  void add(const std::vector<Vector>& positions, const std::vector<double>& distances)
+  {
+    static constexpr std::size_t block = 16384;
+    struct Hit { std::uint32_t query; std::size_t point; };
+    const std::size_t at_once = block * concurrency();
+    std::vector<std::vector<Hit> > hits(concurrency());
+    for (std::size_t first = 0; first < positions.size(); first += at_once) {
+      for_each_piece(hits.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+          hits[k].clear();
+          const std::size_t beyond = (std::min)(positions.size(), first + (k + 1) * block);
+          for (std::size_t i = first + k * block; i < beyond; ++i)
+            for (const Level& level : m_levels)
+              level.visit(positions[i], [&](std::uint32_t q) {
+                if ((positions[i] - m_queries[q].position).squaredNorm() < m_queries[q].squared_reach())
+                  hits[k].push_back({q, i});
+              });
+        }
+      }, 1);
+      for (const std::vector<Hit>& of_block : hits)
+        for (const Hit& hit : of_block)
+          m_queries[hit.query].add(positions[hit.point], distances[hit.point]);
     }
   }
 

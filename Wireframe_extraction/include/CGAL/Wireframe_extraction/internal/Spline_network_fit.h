@@ -48,7 +48,7 @@ inline void set_multiple_of_identity(double* jacobian, double factor)
 // by one. Places and weights are fixed; the derivatives are by the four control points of the span. There are 12 of
 // these, so that 13 residuals are as good as any number of them: with the Cholesky factor R of J^T J as Jacobian, y with
 // R^T y = J^T e, and the length of what is left of e, the sum of squares, its gradient and the normal equations are those
-// of all points, and the solver need not handle them one by one.
+// of all points, and the solver need not handle them one by one. They are prepared for all spans at the same time.
 class Span_residual : public ceres::CostFunction
 {
   struct Sample
@@ -64,6 +64,9 @@ class Span_residual : public ceres::CostFunction
 
   std::vector<Sample> m_samples;
   double m_scale;
+  std::array<const double*, 4> m_controls{};
+  std::array<double, size + 1> m_residuals{};
+  Matrix m_jacobian = Matrix::Zero();       // the last residual has none
 
 public:
   // `scale` is that of Cauchy's loss, or 0 for plain squares
@@ -73,32 +76,46 @@ public:
     set_num_residuals(size + 1);
   }
 
+  void set_controls(const std::array<double*, 4>& controls) { std::copy(controls.begin(), controls.end(), m_controls.begin()); }
+
   void add(const Vector& point, double distance, double weight, const double* basis)
   {
     m_samples.push_back({point, distance, weight, {{basis[0], basis[1], basis[2], basis[3]}}});
   }
 
-  bool Evaluate(double const* const* controls, double* residuals, double** jacobians) const override
+  // for the present control points
+  void prepare(bool with_jacobian)
   {
     double squares = 0.;
     Normal_sums sums;
     for (const Sample& sample : m_samples) {
       Vector offset = sample.point;
       for (int j = 0; j < 4; ++j)
-        offset -= sample.basis[j] * Eigen::Map<const Vector>(controls[j]);
+        offset -= sample.basis[j] * Eigen::Map<const Vector>(m_controls[j]);
       const double distance = offset.norm(), e = sample.weight * (sample.distance - distance);
       const Cauchy_factor factor = m_scale > 0. ? Cauchy_factor(e * e, m_scale * m_scale) : Cauchy_factor();
       const double residual = factor.value * e;
       squares += residual * residual;
-      if (jacobians && distance > 1e-12) {
+      if (with_jacobian && distance > 1e-12) {
         const double by_distance = sample.weight * (factor.value + 2. * factor.derivative * e * e);
         sums.add(sample.basis, offset * (by_distance / distance), residual);
       }
     }
-    std::fill(residuals, residuals + size, 0.);
-    if (jacobians)
-      squares -= reduce(sums, residuals, jacobians);
-    residuals[size] = std::sqrt((std::max)(0., squares));
+    m_residuals.fill(0.);
+    if (with_jacobian)
+      squares -= reduce(sums);
+    m_residuals[size] = std::sqrt((std::max)(0., squares));
+  }
+
+  bool Evaluate(double const* const*, double* residuals, double** jacobians) const override
+  {
+    std::copy(m_residuals.begin(), m_residuals.end(), residuals);
+    for (int j = 0; jacobians && j < 4; ++j) {
+      if (!jacobians[j])
+        continue;
+      Eigen::Map<Eigen::Matrix<double, size + 1, 3, Eigen::RowMajor> > jacobian(jacobians[j]);
+      jacobian << m_jacobian.middleCols<3>(3 * j), Eigen::RowVector3d::Zero();
+    }
     return true;
   }
 
@@ -136,8 +153,8 @@ private:
     }
   };
 
-  // writes y and R, and returns the square of y
-  static double reduce(const Normal_sums& sums, double* residuals, double** jacobians)
+  // sets y and R, and returns the square of y
+  double reduce(const Normal_sums& sums)
   {
     Matrix matrix;
     Column column;
@@ -153,17 +170,27 @@ private:
     for (int i = 0; i < size; ++i) {
       // what the points say nothing of has no derivative either
       const double root = pivots[i] > least ? std::sqrt(pivots[i]) : 0.;
-      residuals[i] = root > 0. ? reduced[i] / root : 0.;
-      square += residuals[i] * residuals[i];
-      for (int j = 0; j < 4; ++j)
-        if (jacobians[j])
-          for (int k = 0; k < 3; ++k)
-            jacobians[j][3 * i + k] = root * upper(i, 3 * j + k);
+      m_residuals[i] = root > 0. ? reduced[i] / root : 0.;
+      m_jacobian.row(i) = root * upper.row(i);
+      square += m_residuals[i] * m_residuals[i];
     }
-    for (int j = 0; j < 4; ++j)
-      if (jacobians[j])
-        std::fill(jacobians[j] + 3 * size, jacobians[j] + 3 * size + 3, 0.);
     return square;
+  }
+};
+
+class Prepare_spans : public ceres::EvaluationCallback
+{
+  std::vector<Span_residual*> m_spans;
+
+public:
+  void add(Span_residual* span) { m_spans.push_back(span); }
+
+  void PrepareForEvaluation(bool evaluate_jacobians, bool) override
+  {
+    for_each_piece(m_spans.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k)
+        m_spans[k]->prepare(evaluate_jacobians);
+    }, 4);
   }
 };
 
@@ -465,6 +492,12 @@ private:
     return curve.spline.points()[i].data();
   }
 
+  std::array<double*, 4> controls(Fitted_curve& curve, const Cubic_spline::Basis& basis)
+  {
+    return {{control(curve, basis.controls[0]), control(curve, basis.controls[1]), control(curve, basis.controls[2]),
+             control(curve, basis.controls[3])}};
+  }
+
   // Curves that share no vertex do not know of each other: their problems are solved apart, at the same time.
   bool solve(double scale, const std::function<bool(double)>& proceed, double share)
   {
@@ -532,8 +565,11 @@ private:
   void solve(const std::vector<std::size_t>& curves, const std::vector<std::size_t>& support, double scale,
              const std::function<bool(double)>& proceed, double share)
   {
-    ceres::Problem problem;
-    add_distances(problem, support, m_options.use_robust_loss ? scale : 0.);
+    Prepare_spans spans;
+    ceres::Problem::Options problem_options;
+    problem_options.evaluation_callback = &spans;
+    ceres::Problem problem(problem_options);
+    add_distances(problem, support, m_options.use_robust_loss ? scale : 0., spans);
     for (std::size_t c : curves)
       add_roughness(problem, m_curves[c]);
     const std::vector<std::size_t> vertices = vertices_of(curves);
@@ -566,7 +602,7 @@ private:
   }
 
   // one residual block for each span
-  void add_distances(ceres::Problem& problem, const std::vector<std::size_t>& support, double scale)
+  void add_distances(ceres::Problem& problem, const std::vector<std::size_t>& support, double scale, Prepare_spans& spans)
   {
     std::map<std::pair<std::size_t, std::size_t>, Span_residual*> residuals;     // by curve and span
     for (std::size_t i : support) {
@@ -584,15 +620,18 @@ private:
       Fitted_curve& curve = m_curves[entry.first.first];
       const std::vector<double>& breaks = curve.spline.breaks();
       const std::size_t span = entry.first.second;
-      add_residual(problem, entry.second, curve, curve.spline.basis(0.5 * (breaks[span] + breaks[span + 1])));
+      const Cubic_spline::Basis basis = curve.spline.basis(0.5 * (breaks[span] + breaks[span + 1]));
+      entry.second->set_controls(controls(curve, basis));
+      spans.add(entry.second);
+      add_residual(problem, entry.second, curve, basis);
     }
   }
 
   void add_residual(ceres::Problem& problem, ceres::CostFunction* residual, Fitted_curve& curve,
                     const Cubic_spline::Basis& basis)
   {
-    problem.AddResidualBlock(residual, nullptr, control(curve, basis.controls[0]), control(curve, basis.controls[1]),
-                             control(curve, basis.controls[2]), control(curve, basis.controls[3]));
+    const std::array<double*, 4> blocks = controls(curve, basis);
+    problem.AddResidualBlock(residual, nullptr, blocks.data(), static_cast<int>(blocks.size()));
   }
 
   // whether it left its place by more than any point of a curve's support is away from it

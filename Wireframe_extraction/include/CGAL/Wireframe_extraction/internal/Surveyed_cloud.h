@@ -14,7 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
 #include <CGAL/Wireframe_extraction/internal/Cloud_values.h>
-#include <CGAL/Wireframe_extraction/internal/Density_candidate.h>
+#include <CGAL/Wireframe_extraction/internal/Density_candidates.h>
 #include <CGAL/Wireframe_extraction/internal/Distance_histogram.h>
 #include <CGAL/Wireframe_extraction/internal/Neighbor_scan.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
@@ -115,21 +115,21 @@ public:
 
   Cloud_scale scale() const
   {
-    const std::vector<Density_candidate> queries = density_queries();
-    if (is_in_memory() && sample().size() <= least_to_scan) {
-      std::vector<std::size_t> indices;
-      for (const Density_candidate& query : queries)
-        indices.push_back(query.index);
-      return cloud_scale(sample().positions, sample().distances, indices);
-    }
+    Cloud_values others;      // candidates that are not in memory
+    const Cloud_values& values = is_in_memory() ? sample() : others;
+    const std::vector<std::size_t> queries = density_queries(values, others);
+    if (is_in_memory() && sample().size() <= least_to_scan)
+      return cloud_scale(sample().positions, sample().distances, queries);
     Neighbor_scan scan;
-    for (const Density_candidate& query : queries)
-      scan.add_query(query.position, query.distance);
-    if (is_in_memory())
+    for (std::size_t i : queries)
+      scan.add_query(values.positions[i], values.distances[i]);
+    if (is_in_memory()) {
       start_with_few(scan);
-    else
+      scan.add(sample().positions, sample().distances);
+    } else {
       scan.start(sample().positions, sample().distances);
-    for_each([&scan](const Vector& position, double distance, std::size_t) { scan(position, distance); });
+      for_each([&scan](const Vector& position, double distance, std::size_t) { scan.add(position, distance); });
+    }
     return scan.scale();
   }
 
@@ -187,44 +187,39 @@ private:
       m_histogram->add(distance);
   }
 
-  // The points at which the density is measured. They are evenly spread over the ranks of the distances: the same
-  // points whatever the order of the cloud. Those at the largest value are left out, since a field is truncated there. The
-  // indices are those of the sample, if it is in memory.
-  std::vector<Density_candidate> density_queries() const
+  // The points at which the density is measured, as indices of `values`: the sample if it is the whole cloud, else `others`,
+  // which is filled. They are evenly spread over the ranks of the distances: the same points whatever the order of the
+  // cloud. Those at the largest value are left out, since a field is truncated there.
+  std::vector<std::size_t> density_queries(const Cloud_values& values, Cloud_values& others) const
   {
     static constexpr std::size_t least = 64;
     const std::size_t count = number_of_valid() - m_number_of_largest;
-    if (count < least)   // the field is hardly known anywhere
-      return different_candidates(sample());
+    if (count < least) {   // the field is hardly known anywhere
+      if (!is_in_memory())
+        others = sample();
+      return spread_positions(values);
+    }
     std::vector<std::size_t> ranks = spread_indices(count);
-    std::vector<Density_candidate> candidates = is_in_memory() ? all_candidates() : candidates_in_file(ranks);
-    std::sort(candidates.begin(), candidates.end(), &Density_candidate::is_before);
-    std::vector<Density_candidate> queries, clear_queries;
+    if (!is_in_memory())
+      read_candidates(ranks, others);
+    const Density_candidates candidates(values, m_largest);
+    std::vector<std::size_t> queries, clear_queries;
     for (std::size_t rank : ranks) {
       if (rank >= candidates.size())
         continue;
-      const std::size_t clear = nearest_clear_one(candidates, rank);
+      const std::size_t clear = candidates.nearest_clear_one(rank);
       const bool is_clear = clear < candidates.size();
-      queries.push_back(candidates[is_clear ? clear : rank]);
+      queries.push_back(candidates.index(is_clear ? clear : rank));
       if (is_clear)
-        clear_queries.push_back(candidates[clear]);
+        clear_queries.push_back(queries.back());
     }
     // a coarse field tells hardly any points apart
     return clear_queries.size() < least ? queries : clear_queries;
   }
 
-  std::vector<Density_candidate> all_candidates() const
-  {
-    std::vector<Density_candidate> candidates;
-    for (std::size_t i = 0; i < sample().size(); ++i)
-      if (sample().distances[i] < m_largest)
-        candidates.emplace_back(sample().positions[i], sample().distances[i], i);
-    return candidates;
-  }
-
   // Those points whose distances are in the same bins of the histogram as the wanted ones. The ranks become ranks among
   // them.
-  std::vector<Density_candidate> candidates_in_file(std::vector<std::size_t>& ranks) const
+  void read_candidates(std::vector<std::size_t>& ranks, Cloud_values& candidates) const
   {
     std::vector<bool> is_wanted(Distance_histogram::number_of_bins, false);
     std::size_t next = 0;
@@ -238,12 +233,10 @@ private:
       for (; next < ranks.size() && ranks[next] < smaller + number; ++next)
         ranks[next] -= static_cast<std::size_t>(passed_over);
     });
-    std::vector<Density_candidate> candidates;
     for_each([&](const Vector& position, double distance, std::size_t index) {
       if (is_wanted[Distance_histogram::bin(distance)] && distance < m_largest)
-        candidates.emplace_back(position, distance, index);
+        candidates.add(position, distance, index);
     });
-    return candidates;
   }
 };
 
