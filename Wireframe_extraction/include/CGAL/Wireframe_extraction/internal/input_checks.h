@@ -58,13 +58,10 @@ inline bool survey(Surveyed_cloud& cloud, bool skip_invalid, Wireframe_extractio
 inline int dimension(const std::vector<Vector>& positions, const std::vector<std::size_t>& sample)
 {
   Vector center;
-  double largest = 0.;
   for (int k = 0; k < 3; ++k) {
     std::vector<double> coordinates;
-    for (std::size_t i : sample) {
+    for (std::size_t i : sample)
       coordinates.push_back(positions[i][k]);
-      largest = (std::max)(largest, std::abs(positions[i][k]));
-    }
     center[k] = median(coordinates);
   }
   std::vector<Vector> offsets;
@@ -76,7 +73,7 @@ inline int dimension(const std::vector<Vector>& positions, const std::vector<std
   });
   offsets.resize((std::max)(std::size_t(1), offsets.size() - offsets.size() / 10));
   extent = offsets.back().stableNorm();
-  if (!(extent > 1e-12 * largest))
+  if (!(extent > 1e-12 * center.cwiseAbs().maxCoeff()))
     return 0;
   Vector mean = Vector::Zero();
   for (Vector& offset : offsets) {
