@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_DISTANCE_CLOUD_SOURCE_H
 #define CGAL_WIREFRAME_EXTRACTION_DISTANCE_CLOUD_SOURCE_H
 
+#include <cstddef>
 #include <functional>
 #include <string>
 
@@ -47,6 +48,10 @@ public:
   /// hands out all samples, in the same order each time, unless the sink wants no more. Returns whether that went well,
   /// also if the sink wanted no more; if not, `error_message()` says why.
   virtual bool read(const Sink& sink) = 0;
+
+  /// returns the number of samples if it is known without reading them, else 0, as the default does. It serves to
+  /// reserve memory.
+  virtual std::size_t size_hint() const { return 0; }
 
   /// returns what went wrong, in one line; empty if nothing did. A class whose `read()` can fail is expected to override
   /// it: the message becomes that of the report. The default is an empty text, for which the report says no more than

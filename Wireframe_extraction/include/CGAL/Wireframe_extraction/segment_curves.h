@@ -17,8 +17,7 @@
 #include <CGAL/assertions.h>
 #include <CGAL/number_type_config.h>
 
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/connected_components.hpp>
+#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -30,8 +29,6 @@ namespace CGAL {
 namespace Wireframe_extraction {
 
 namespace internal {
-
-typedef boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> Neighbor_graph;
 
 // whether two points may belong to one curve: their tangents agree, and each lies on the other one's local curve
 inline bool do_tangents_agree(const Local_curve& a, const Local_curve& b, double least_cosine, double tolerance)
@@ -107,7 +104,11 @@ segment_curves(const Wireframe_skeleton<GeomTraits>& skeleton,
   const double least_cosine = std::cos(options.connection_angle * CGAL_PI / 180.);
   const double tolerance = options.use_tangents ? 0.3 + 1.5 * skeleton.contraction().noise : 0.;
 
-  internal::Neighbor_graph graph(skeleton.size());
+  // connected components of a graph whose many edges need not be kept
+  std::vector<std::size_t> rank(skeleton.size()), parent(skeleton.size());
+  boost::disjoint_sets<std::size_t*, std::size_t*> components(rank.data(), parent.data());
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    components.make_set(i);
   std::vector<std::size_t> ball;
   for (std::size_t i = 0; i < positions.size(); ++i) {
     if (is_in_corner[i])
@@ -118,17 +119,20 @@ segment_curves(const Wireframe_skeleton<GeomTraits>& skeleton,
           && (!options.use_tangents
               || internal::do_tangents_agree(skeleton.contraction().curves[i], skeleton.contraction().curves[j],
                                              least_cosine, tolerance)))
-        boost::add_edge(i, j, graph);
+        components.union_set(i, j);
   }
-  std::vector<std::size_t> component(skeleton.size());
-  const std::size_t number = boost::connected_components(graph, component.data());
-  std::vector<std::vector<std::size_t> > all(number);
-  for (std::size_t i = 0; i < component.size(); ++i)
-    if (!is_in_corner[i])
-      all[component[i]].push_back(i);
-  for (std::vector<std::size_t>& cluster : all)
-    if (!cluster.empty())
-      clusters.push_back(std::move(cluster));
+  const std::size_t none = skeleton.size();
+  std::vector<std::size_t> cluster_of_component(skeleton.size(), none);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (is_in_corner[i])
+      continue;
+    std::size_t& cluster = cluster_of_component[components.find_set(i)];
+    if (cluster == none) {
+      cluster = clusters.size();
+      clusters.emplace_back();
+    }
+    clusters[cluster].push_back(i);
+  }
   return clusters;
 }
 

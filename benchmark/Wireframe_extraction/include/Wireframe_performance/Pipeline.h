@@ -166,11 +166,11 @@ private:
     void operator()(const Kernel::Point_3&) const { ++*count; }
   };
 
-  // those around the skeleton, where creases are looked for, and those that support the fits
+  // those that support the fits, and, unless the field is precise, those around the skeleton, where creases are looked for
   std::vector<Kernel::Point_3> points_in_use() const
   {
     const auto& band = m_selected.band();
-    const auto& surroundings = m_selected.surroundings();
+    const auto& surroundings = m_contracted.surroundings();
     std::vector<char> is_in_use(m_cloud.size(), 0);
     for (const auto* indices : {&band.indices, &surroundings.indices})
       for (std::size_t i : *indices)

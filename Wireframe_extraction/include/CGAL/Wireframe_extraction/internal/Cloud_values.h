@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -31,22 +32,34 @@ struct Cloud_values
 {
   std::vector<Vector> positions;
   std::vector<double> distances;
-  std::vector<std::size_t> indices;
+  std::vector<std::size_t> indices;     // none as long as no value of the cloud is missing
 
   std::size_t size() const { return positions.size(); }
+  std::size_t index(std::size_t i) const { return indices.empty() ? i : indices[i]; }
+
+  void reserve(std::size_t n)
+  {
+    positions.reserve(n);
+    distances.reserve(n);
+  }
 
   void add(const Vector& position, double distance, std::size_t index)
   {
+    if (indices.empty() && index != size()) {
+      indices.resize(size());
+      std::iota(indices.begin(), indices.end(), std::size_t(0));
+    }
+    if (!indices.empty() || index != size())
+      indices.push_back(index);
     positions.push_back(position);
     distances.push_back(distance);
-    indices.push_back(index);
   }
 
   template <class Use>
   void for_each(const Use& use) const
   {
     for (std::size_t i = 0; i < positions.size(); ++i)
-      use(positions[i], distances[i], indices[i]);
+      use(positions[i], distances[i], index(i));
   }
 };
 
@@ -83,6 +96,9 @@ public:
   // whether all points are kept
   bool is_complete() const { return m_is_complete; }
   const Cloud_values& values() const { return m_values; }
+
+  // for about so many points
+  void reserve(std::size_t n) { m_values.reserve((std::min)(n, m_most)); }
 
   void add(const Vector& position, double distance, std::size_t index)
   {
@@ -124,7 +140,7 @@ public:
     Cloud_values kept;
     std::vector<std::uint64_t> hashes;
     for (std::size_t i : order) {
-      kept.add(m_values.positions[i], m_values.distances[i], m_values.indices[i]);
+      kept.add(m_values.positions[i], m_values.distances[i], m_values.index(i));
       hashes.push_back(m_hashes[i]);
     }
     m_values = std::move(kept);

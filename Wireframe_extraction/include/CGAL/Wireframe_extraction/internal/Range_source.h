@@ -16,6 +16,7 @@
 #include <CGAL/Wireframe_extraction/internal/cloud_access.h>
 
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -33,6 +34,11 @@ class Range_source : public Distance_cloud_source
 
 public:
   Range_source(const PointRange& points, const Access& access) : m_points(points), m_access(access) {}
+
+  std::size_t size_hint() const override
+  {
+    return static_cast<std::size_t>(std::distance(m_points.begin(), m_points.end()));
+  }
 
   bool read(const Sink& sink) override
   {

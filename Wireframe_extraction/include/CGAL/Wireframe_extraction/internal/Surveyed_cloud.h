@@ -78,6 +78,7 @@ public:
   // reads it for the first time
   bool survey()
   {
+    m_sample.reserve(m_source.size_hint());
     const bool is_read = m_source.read([&](const Sample* first, const Sample* beyond) {
       for (; first != beyond; ++first)
         survey(*first);
