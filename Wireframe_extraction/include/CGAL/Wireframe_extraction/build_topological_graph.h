@@ -14,9 +14,10 @@
 
 #include <CGAL/Wireframe_extraction/Wireframe_graph.h>
 #include <CGAL/Wireframe_extraction/detect_corners.h>
+#include <CGAL/Wireframe_extraction/internal/Network_subdivider.h>
+#include <CGAL/Wireframe_extraction/internal/Network_tracer.h>
+#include <CGAL/Wireframe_extraction/internal/polyline_tools.h>
 #include <CGAL/Wireframe_extraction/internal/run_concurrently.h>
-#include <CGAL/Wireframe_extraction/internal/subdivide_network.h>
-#include <CGAL/Wireframe_extraction/internal/trace_network.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
@@ -38,23 +39,15 @@ inline std::vector<Vector> thin_out(const std::vector<Vector>& polyline, double 
     if ((polyline[k] - result.back()).norm() >= spacing && (polyline[k] - polyline.back()).norm() >= 0.5 * spacing)
       result.push_back(polyline[k]);
   result.push_back(polyline.back());
-  if (result.size() < least + 2) {
-    // points at equal steps of arc length
-    std::vector<double> lengths(polyline.size(), 0.);
-    for (std::size_t k = 1; k < polyline.size(); ++k)
-      lengths[k] = lengths[k - 1] + (polyline[k] - polyline[k - 1]).norm();
-    result.assign(1, polyline.front());
-    for (std::size_t j = 1; j <= least; ++j) {
-      const double s = lengths.back() * double(j) / double(least + 1);
-      std::size_t k = 1;
-      while (k + 1 < polyline.size() && lengths[k] < s)
-        ++k;
-      const double step = lengths[k] - lengths[k - 1];
-      const double t = step > 0. ? (s - lengths[k - 1]) / step : 0.;
-      result.push_back(polyline[k - 1] + t * (polyline[k] - polyline[k - 1]));
-    }
-    result.push_back(polyline.back());
-  }
+  if (result.size() >= least + 2)
+    return result;
+  // points at equal steps of arc length
+  const std::vector<double> lengths = arc_lengths(polyline);
+  Polyline_walk walk(polyline, lengths);
+  result.assign(1, polyline.front());
+  for (std::size_t j = 1; j <= least; ++j)
+    result.push_back(walk.advance_to(lengths.back() * double(j) / double(least + 1)));
+  result.push_back(polyline.back());
   return result;
 }
 

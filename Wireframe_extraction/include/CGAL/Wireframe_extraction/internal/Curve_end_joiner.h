@@ -147,10 +147,7 @@ public:
   template <class Prune>
   void prune(const Prune& prune_polylines)
   {
-    std::vector<const std::vector<Vector>*> polylines;
-    for (const Network_curve& curve : m_network.curves)
-      polylines.push_back(curve.is_alive ? &curve.points : nullptr);
-    const std::vector<char> keep = prune_polylines(polylines);
+    const std::vector<char> keep = prune_polylines(m_network.polylines());
     for (std::size_t c = 0; c < keep.size(); ++c)
       m_network.curves[c].is_alive = keep[c];
     dissolve_smooth_joints();

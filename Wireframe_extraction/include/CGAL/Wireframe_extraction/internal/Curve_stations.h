@@ -13,7 +13,8 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CURVE_STATIONS_H
 
 #include <CGAL/Wireframe_extraction/internal/Field_band.h>
-#include <CGAL/Wireframe_extraction/internal/Polyline_feet.h>
+#include <CGAL/Wireframe_extraction/internal/polyline_feet.h>
+#include <CGAL/Wireframe_extraction/internal/polyline_tools.h>
 
 #include <Eigen/Dense>
 
@@ -91,15 +92,12 @@ public:
     for (const Curve_support& s : support)
       members[(std::min)(count - 1, static_cast<std::size_t>(s.parameter / lengths.back() * double(count)))].push_back(&s);
     std::vector<Station> stations;
-    std::size_t k = 1;
+    Polyline_walk walk(polyline, lengths);
     for (std::size_t i = 0; i < count; ++i) {
       Station station;
       station.parameter = lengths.back() * (double(i) + 0.5) / double(count);
-      while (k + 1 < lengths.size() && lengths[k] < station.parameter)
-        ++k;
-      const Vector step = polyline[k] - polyline[k - 1];
-      station.tangent = step.normalized();
-      station.position = polyline[k - 1] + (station.parameter - lengths[k - 1]) / (std::max)(1e-30, lengths[k] - lengths[k - 1]) * step;
+      station.position = walk.advance_to(station.parameter);
+      station.tangent = walk.segment().normalized();
       locate(members[i], station);
       stations.push_back(station);
     }

@@ -14,9 +14,10 @@
 
 #include <CGAL/Wireframe_extraction/internal/Cubic_spline.h>
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
-#include <CGAL/Wireframe_extraction/internal/Polyline_feet.h>
+#include <CGAL/Wireframe_extraction/internal/polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/ceres_support.h>
 #include <CGAL/Wireframe_extraction/internal/for_each_piece.h>
+#include <CGAL/Wireframe_extraction/internal/polyline_tools.h>
 #include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
 #include <CGAL/Wireframe_extraction/internal/spline_residuals.h>
 
@@ -116,27 +117,15 @@ public:
   }
 
 private:
-  static std::vector<double> arc_lengths(const std::vector<Vector>& path)
-  {
-    std::vector<double> s(path.size(), 0.);
-    for (std::size_t k = 1; k < path.size(); ++k)
-      s[k] = s[k - 1] + (std::max)(1e-9, (path[k] - path[k - 1]).norm());
-    return s;
-  }
-
   // positions along the path at steps of half a sampling distance, or finer where it is short
   static void resample(const std::vector<Vector>& path, const std::vector<double>& s,
                        std::vector<double>& parameters, std::vector<Vector>& positions)
   {
     const std::size_t count = (std::max)(std::size_t(16), static_cast<std::size_t>(std::ceil(2. * s.back())));
-    std::size_t k = 1;
+    Polyline_walk walk(path, s);
     for (std::size_t j = 0; j <= count; ++j) {
-      const double u = s.back() * double(j) / double(count);
-      while (k + 1 < s.size() && s[k] < u)
-        ++k;
-      const double t = (u - s[k - 1]) / (s[k] - s[k - 1]);
-      parameters.push_back(u);
-      positions.push_back(path[k - 1] + t * (path[k] - path[k - 1]));
+      parameters.push_back(s.back() * double(j) / double(count));
+      positions.push_back(walk.advance_to(parameters.back()));
     }
   }
 
@@ -162,7 +151,8 @@ private:
   // a spline through the path, with knots where the path asks for them
   void initialize(Fitted_curve& curve) const
   {
-    const std::vector<double> s = arc_lengths(curve.path);
+    // they may become breakpoints, which must increase
+    const std::vector<double> s = arc_lengths(curve.path, 1e-9);
     std::vector<double> parameters;
     std::vector<Vector> positions;
     resample(curve.path, s, parameters, positions);

@@ -8,11 +8,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Wireframe_extraction authors
+
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_POLYLINE_FEET_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_POLYLINE_FEET_H
 
 #include <CGAL/Wireframe_extraction/internal/Field_band.h>
 #include <CGAL/Wireframe_extraction/internal/for_each_piece.h>
+#include <CGAL/Wireframe_extraction/internal/polyline_tools.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,15 +28,6 @@
 namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
-
-// from the first point of a polyline to each of its points
-inline std::vector<double> arc_lengths(const std::vector<Vector>& polyline)
-{
-  std::vector<double> lengths(polyline.size(), 0.);
-  for (std::size_t k = 1; k < polyline.size(); ++k)
-    lengths[k] = lengths[k - 1] + (polyline[k] - polyline[k - 1]).norm();
-  return lengths;
-}
 
 // The nearest place on a polyline.
 struct Polyline_foot
