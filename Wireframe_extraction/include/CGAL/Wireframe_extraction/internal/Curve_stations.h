@@ -73,12 +73,10 @@ public:
         continue;
       const std::size_t c = feet[i].curve;
       const std::vector<Vector>& polyline = polylines[c];
-      const Vector foot = feet[i].point(polyline);
-      const double u = lengths[c][feet[i].segment] + (foot - polyline[feet[i].segment]).norm();
+      const double u = feet[i].interpolate(lengths[c]);
       const bool is_closed = polyline.front() == polyline.back();
-      // the nearest point of an open curve's end says nothing of where the curve runs
-      if (is_closed || (u > 1e-6 && u < lengths[c].back() - 1e-6))
-        support[c].push_back({i, u, foot});
+      if (is_closed || !is_at_end(u, lengths[c].back()))
+        support[c].push_back({i, u, feet[i].point(polyline)});
     }
     return support;
   }

@@ -203,10 +203,7 @@ private:
       for (std::size_t k = begin; k < end; ++k) {
         Support& s = m_support[k];
         const Polyline_foot& foot = feet[s.point];
-        const std::vector<double>& of_curve = parameters[s.curve];
-        const double start = of_curve[foot.segment]
-          + foot.share * (of_curve[foot.segment + 1] - of_curve[foot.segment]);
-        s.parameter = m_curves[s.curve].spline.foot(m_band.points[s.point], start);
+        s.parameter = m_curves[s.curve].spline.foot(m_band.points[s.point], foot.interpolate(parameters[s.curve]));
       }
     });
   }

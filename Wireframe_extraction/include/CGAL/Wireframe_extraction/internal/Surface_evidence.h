@@ -102,10 +102,9 @@ private:
       const std::vector<Vector>& points = *polylines[feet[i].curve];
       std::vector<Window>& curve = windows[feet[i].curve];
       const Vector foot = feet[i].point(points), direction = points[feet[i].segment + 1] - points[feet[i].segment];
-      const double length = lengths[feet[i].curve].back();
-      const double s = lengths[feet[i].curve][feet[i].segment] + feet[i].share * direction.norm();
-      if (s < 1e-6 || s > length - 1e-6)
-        continue;         // beyond the end, where other curves may meet
+      const double length = lengths[feet[i].curve].back(), s = feet[i].interpolate(lengths[feet[i].curve]);
+      if (is_at_end(s, length))
+        continue;
       const double share = s / length * double(curve.size());
       const std::size_t k = (std::min)(curve.size() - 1, static_cast<std::size_t>(share));
       curve[k].samples.push_back({(share - double(k) - 0.5) * window_length, m_surroundings.points[i] - foot});

@@ -32,6 +32,7 @@ namespace internal {
 // The nearest place on a polyline.
 struct Polyline_foot
 {
+  // 32 bits for indices: there is a foot for every point of a band
   static constexpr std::uint32_t no_curve = static_cast<std::uint32_t>(-1);
 
   double distance = 0.;
@@ -42,6 +43,11 @@ struct Polyline_foot
   Vector point(const std::vector<Vector>& polyline) const
   {
     return polyline[segment] + share * (polyline[segment + 1] - polyline[segment]);
+  }
+  // of values that grow along each segment of the polyline, such as its arc lengths
+  double interpolate(const std::vector<double>& values) const
+  {
+    return values[segment] + share * (values[segment + 1] - values[segment]);
   }
 };
 
@@ -120,6 +126,13 @@ inline std::vector<Polyline_foot> nearest_feet(const Field_band& band,
     }
   }, 1);
   return feet;
+}
+
+// Whether a foot is an end of the polyline. Where that is open, points beyond it have their feet there, which say nothing
+// of where the curve runs, and other curves may meet.
+inline bool is_at_end(double arc_length, double length)
+{
+  return arc_length < 1e-6 || arc_length > length - 1e-6;
 }
 
 inline std::vector<const std::vector<Vector>*> pointers_to(const std::vector<std::vector<Vector> >& polylines)
