@@ -234,13 +234,10 @@ build_topological_graph(const Wireframe_skeleton<GeomTraits>& skeleton,
                         const std::vector<std::vector<std::size_t> >& clusters,
                         const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const std::function<bool(double)> callback = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::callback), std::function<bool(double)>());
+  const std::function<bool(double)> proceed = internal::progress_callback(np);
   const internal::Extraction_options options = internal::extraction_options(np);
-  return internal::run_concurrently<ConcurrencyTag>([&] {
-    return internal::build_graph(skeleton, corners, clusters, options,
-                                 [&](double share) { return !callback || callback(share); });
-  });
+  return internal::run_concurrently<ConcurrencyTag>(
+    [&] { return internal::build_graph(skeleton, corners, clusters, options, proceed); });
 }
 
 } // namespace Wireframe_extraction
