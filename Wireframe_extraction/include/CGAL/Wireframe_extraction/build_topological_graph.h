@@ -130,11 +130,11 @@ builds the topological graph of a wireframe: polylines that end in corners.
   step, as long as it agrees with them; then from points that these curves leave unexplained. What is not needed to
   explain the field is dropped, and so is a curve that runs over a smooth surface: where the points around it (kept if
   `use_creases` was not switched off and the field is not precise) are a graph over a plane, a fold of less than 17
-  degrees, beyond doubt. The ends of
-  the curves are beliefs about corners, sure across the curve and unsure along it: ends whose beliefs agree are joined, ends next to the inside of another curve split it, ends that face each other
-  over a gap are bridged, short curves between corners are added where the field asks for them. Splines fitted to the
-  field replace the polylines, and their ends are joined in the same way once more. The corners handed over only matter
-  in that their points are no seeds.
+  degrees, beyond doubt. The ends of the curves are beliefs about corners, sure across the curve and unsure along it:
+  ends whose beliefs agree are joined, ends next to the inside of another curve split it, ends that face each other over
+  a gap are bridged, short curves between corners are added where the field asks for them. Splines fitted to the field
+  replace the polylines, and their ends are joined in the same way once more. The corners handed over only matter in
+  that their points are no seeds.
 - `Graph_method::SUBDIVIDED`: every cluster gets a polyline between its two ends, or a triangle if it is a cycle, which
   is subdivided at the point that disagrees most with it while that exceeds `split_threshold` (eq. 2 of
   \cgalCite{MAZB21}); ends join the nearest corner.
@@ -175,17 +175,20 @@ builds the topological graph of a wireframe: polylines that end in corners.
     \cgalParamExtra{For each r of its length, a curve has to explain 0.35 times as many more.}
   \cgalParamNEnd
   \cgalParamNBegin{fitting_radius}
-    \cgalParamDescription{the radius of the balls in which local curves are fitted on the way, for `TRACED`, in multiples of r}
+    \cgalParamDescription{the radius of the balls in which local curves are fitted on the way, for `TRACED`, in
+                          multiples of r}
     \cgalParamType{`double`}
     \cgalParamDefault{4}
   \cgalParamNEnd
   \cgalParamNBegin{connection_radius}
-    \cgalParamDescription{the distance below which points of a cluster are connected, for `SUBDIVIDED`, in multiples of r}
+    \cgalParamDescription{the distance below which points of a cluster are connected, for `SUBDIVIDED`, in multiples
+                          of r}
     \cgalParamType{`double`}
     \cgalParamDefault{3}
   \cgalParamNEnd
   \cgalParamNBegin{support_distance}
-    \cgalParamDescription{how far from the curves points may lie that splines are fitted to, for `TRACED`, in multiples of r}
+    \cgalParamDescription{how far from the curves points may lie that splines are fitted to, for `TRACED`, in
+                          multiples of r}
     \cgalParamType{`double`}
     \cgalParamDefault{3}
   \cgalParamNEnd
@@ -228,6 +231,7 @@ points that get s segments.
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTraits,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
+[[nodiscard]]
 Wireframe_graph<GeomTraits>
 build_topological_graph(const Wireframe_skeleton<GeomTraits>& skeleton,
                         const std::vector<Wireframe_corner<GeomTraits> >& corners,

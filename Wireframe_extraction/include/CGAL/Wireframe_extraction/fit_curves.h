@@ -213,6 +213,7 @@ Complexity: O(n log n) for n points per round, besides the solution of the spars
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTraits,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
+[[nodiscard]]
 Wireframe<GeomTraits> fit_curves(const Wireframe_skeleton<GeomTraits>& skeleton,
                                  const Wireframe_graph<GeomTraits>& graph,
                                  const NamedParameters& np = CGAL::parameters::default_values())
