@@ -34,7 +34,7 @@ struct Station
   Vector position = Vector::Zero();                         // where the field has the curve
   Vector followed = Vector::Zero();                         // where the curve that was followed is
   Vector tangent = Vector::UnitX();                         // of the curve that was followed
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();    // inverse covariance of the position; zero along the tangent
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();    // inverse covariance of the position; 0 along the tangent
   std::size_t support = 0;                                  // number of points
 };
 
@@ -43,8 +43,8 @@ struct Curve_support { std::size_t point; double parameter; Vector foot; };
 
 // Follows polylines through the field and tells, about every 1.5 sampling distances, where the field has them. The
 // variance of a station is that of a single distance, which the noise level of the field tells, over the sum of its
-// points' weights: the errors of the refined field, and those of points that share a patch of the surface, are alike over
-// some sampling distances, so that the scatter within a station would promise too much.
+// points' weights: the errors of the refined field, and those of points that share a patch of the surface, are alike
+// over some sampling distances, so that the scatter within a station would promise too much.
 class Curve_stations
 {
   // Even an exact field is known at points only, and curves are sampled.
@@ -85,10 +85,12 @@ public:
   std::vector<Station> run(const std::vector<Vector>& polyline, const std::vector<Curve_support>& support) const
   {
     const std::vector<double> lengths = arc_lengths(polyline);
-    const std::size_t count = (std::max)(std::size_t(1), static_cast<std::size_t>(std::floor(lengths.back() / spacing)));
+    const std::size_t count = (std::max)(std::size_t(1), static_cast<std::size_t>(lengths.back() / spacing));
     std::vector<std::vector<const Curve_support*> > members(count);
-    for (const Curve_support& s : support)
-      members[(std::min)(count - 1, static_cast<std::size_t>(s.parameter / lengths.back() * double(count)))].push_back(&s);
+    for (const Curve_support& s : support) {
+      const std::size_t i = static_cast<std::size_t>(s.parameter / lengths.back() * double(count));
+      members[(std::min)(count - 1, i)].push_back(&s);
+    }
     std::vector<Station> stations;
     Polyline_walk walk(polyline, lengths);
     for (std::size_t i = 0; i < count; ++i) {

@@ -196,7 +196,10 @@ public:
   void keep(const Traced_curve& curve) { m_traced.add(m_number_of_traced++, curve.points); }
 
   // whether a kept curve runs along this one
-  bool is_traced(const Local_curve& front) const { return runs_along(m_traced, front, 0.6 + m_options.noise, m_extended); }
+  bool is_traced(const Local_curve& front) const
+  {
+    return runs_along(m_traced, front, 0.6 + m_options.noise, m_extended);
+  }
 
   // what the points around `front` say of the curve between its parameters -0.5 and 0.75
   Evidence evidence(const Local_curve& front)

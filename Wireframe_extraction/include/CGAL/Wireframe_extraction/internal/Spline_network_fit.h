@@ -352,7 +352,7 @@ private:
   void solve(const std::vector<std::size_t>& curves, const std::vector<std::size_t>& support, double scale,
              const std::function<bool(double)>& proceed, double share)
   {
-    Prepare_spans spans;
+    Span_preparer spans;
     ceres::Problem::Options problem_options;
     problem_options.evaluation_callback = &spans;
     ceres::Problem problem(problem_options);
@@ -389,7 +389,8 @@ private:
   }
 
   // one residual block for each span
-  void add_distances(ceres::Problem& problem, const std::vector<std::size_t>& support, double scale, Prepare_spans& spans)
+  void add_distances(ceres::Problem& problem, const std::vector<std::size_t>& support, double scale,
+                     Span_preparer& spans)
   {
     std::map<std::pair<std::size_t, std::size_t>, Span_residual*> residuals;     // by curve and span
     for (std::size_t i : support) {
@@ -427,7 +428,8 @@ private:
     return !((now - before).norm() < 2. * (m_options.support_distance + 1.));
   }
 
-  // Where a robust loss has lost all points, nothing holds a curve any more: it goes back. The ends are at the vertices.
+  // Where a robust loss has lost all points, nothing holds a curve any more: it goes back. The ends are at the
+  // vertices.
   void take_back_strays(Fitted_curve& curve, const std::vector<Vector>& before, bool is_usable) const
   {
     std::vector<Vector>& points = curve.spline.points();
@@ -442,8 +444,8 @@ private:
     }
   }
 
-  // A prior for curves whose curvature changes slowly, the stronger the more the field errs. On an arc of curvature k the
-  // third derivative is -k^2 times the first one; what differs from that is rough.
+  // A prior for curves whose curvature changes slowly, the stronger the more the field errs. On an arc of curvature k
+  // the third derivative is -k^2 times the first one; what differs from that is rough.
   void add_roughness(ceres::Problem& problem, Fitted_curve& curve)
   {
     const double roughness = m_options.adapt_knots ? 0.05 + 30. * m_noise : 0.05;

@@ -51,8 +51,9 @@ struct Polyline_foot
   }
 };
 
-// Calls visitor(i, foot) for the points of a band closer than `radius` to a polyline. It goes along the polyline, run by
-// run of segments, and asks the band for the points around each: a point has a foot on every run that is close enough.
+// Calls visitor(i, foot) for the points of a band closer than `radius` to a polyline. It goes along the polyline, run
+// by run of segments, and asks the band for the points around each: a point has a foot on every run that is close
+// enough.
 template <class Visitor>
 void visit_feet(const Field_band& band, std::size_t curve, const std::vector<Vector>& polyline, double radius,
                 const Visitor& visitor)
@@ -128,8 +129,8 @@ inline std::vector<Polyline_foot> nearest_feet(const Field_band& band,
   return feet;
 }
 
-// Whether a foot is an end of the polyline. Where that is open, points beyond it have their feet there, which say nothing
-// of where the curve runs, and other curves may meet.
+// Whether a foot is an end of the polyline. Where that is open, points beyond it have their feet there, which say
+// nothing of where the curve runs, and other curves may meet.
 inline bool is_at_end(double arc_length, double length)
 {
   return arc_length < 1e-6 || arc_length > length - 1e-6;

@@ -35,11 +35,12 @@ inline void set_multiple_of_identity(double* jacobian, double factor)
     jacobian[k] = k % 4 == 0 ? factor : 0.;
 }
 
-// The distances of points to the places of their feet on one span of a spline against those of the field, made robust one
-// by one. Places and weights are fixed; the derivatives are by the four control points of the span. There are 12 of
-// these, so that 13 residuals are as good as any number of them: with the Cholesky factor R of J^T J as Jacobian, y with
-// R^T y = J^T e, and the length of what is left of e, the sum of squares, its gradient and the normal equations are those
-// of all points, and the solver need not handle them one by one. They are prepared for all spans at the same time.
+// The distances of points to the places of their feet on one span of a spline against those of the field, made robust
+// one by one. Places and weights are fixed; the derivatives are by the four control points of the span. There are 12 of
+// these, so that 13 residuals are as good as any number of them: with the Cholesky factor R of J^T J as Jacobian, y
+// with R^T y = J^T e, and the length of what is left of e, the sum of squares, its gradient and the normal equations
+// are those of all points, and the solver need not handle them one by one. They are prepared for all spans at the same
+// time.
 class Span_residual : public ceres::CostFunction
 {
   struct Sample
@@ -67,7 +68,10 @@ public:
     set_num_residuals(size + 1);
   }
 
-  void set_controls(const std::array<double*, 4>& controls) { std::copy(controls.begin(), controls.end(), m_controls.begin()); }
+  void set_controls(const std::array<double*, 4>& controls)
+  {
+    std::copy(controls.begin(), controls.end(), m_controls.begin());
+  }
 
   void add(const Vector& point, double distance, double weight, const double* basis)
   {
@@ -169,7 +173,8 @@ private:
   }
 };
 
-class Prepare_spans : public ceres::EvaluationCallback
+// Prepares the residuals of all spans when the solver has moved the control points.
+class Span_preparer : public ceres::EvaluationCallback
 {
   std::vector<Span_residual*> m_spans;
 
