@@ -1,7 +1,7 @@
 // Parts of the stages, on what is known in closed form or by trying all.
 
 #include <CGAL/Wireframe_extraction/internal/Curve_end_joiner.h>
-#include <CGAL/Wireframe_extraction/internal/Polyline_feet.h>
+#include <CGAL/Wireframe_extraction/internal/polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/Primitive_curve.h>
 #include <CGAL/Wireframe_extraction/internal/Surface_evidence.h>
 

@@ -27,7 +27,7 @@ PARAMETER_LIST = HEADERS / "Wireframe_extraction/internal/parameters_interface.h
 # where the stages read their parameters, besides their own headers
 STAGES = {"select_skeleton.h": (), "contract_skeleton.h": (), "refine_field.h": (), "detect_corners.h": (),
           "segment_curves.h": (), "recognize_curve_types.h": (), "fit_curves.h": ("Spline_network_fit.h",),
-          "build_topological_graph.h": ("subdivide_network.h", "trace_network.h", "Spline_network_fit.h")}
+          "build_topological_graph.h": ("Network_subdivider.h", "Network_tracer.h", "Spline_network_fit.h")}
 NOT_FOR_USERS = {("build_topological_graph.h", "number_of_rounds")}  # always 2 there
 CGAL_PARAMETERS = {"point_map", "geom_traits", "callback", "use_binary_mode", "verbose"}
 

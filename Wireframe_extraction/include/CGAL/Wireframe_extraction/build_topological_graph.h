@@ -14,9 +14,10 @@
 
 #include <CGAL/Wireframe_extraction/Wireframe_graph.h>
 #include <CGAL/Wireframe_extraction/detect_corners.h>
+#include <CGAL/Wireframe_extraction/internal/Network_subdivider.h>
+#include <CGAL/Wireframe_extraction/internal/Network_tracer.h>
+#include <CGAL/Wireframe_extraction/internal/polyline_tools.h>
 #include <CGAL/Wireframe_extraction/internal/run_concurrently.h>
-#include <CGAL/Wireframe_extraction/internal/subdivide_network.h>
-#include <CGAL/Wireframe_extraction/internal/trace_network.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
@@ -38,23 +39,15 @@ inline std::vector<Vector> thin_out(const std::vector<Vector>& polyline, double 
     if ((polyline[k] - result.back()).norm() >= spacing && (polyline[k] - polyline.back()).norm() >= 0.5 * spacing)
       result.push_back(polyline[k]);
   result.push_back(polyline.back());
-  if (result.size() < least + 2) {
-    // points at equal steps of arc length
-    std::vector<double> lengths(polyline.size(), 0.);
-    for (std::size_t k = 1; k < polyline.size(); ++k)
-      lengths[k] = lengths[k - 1] + (polyline[k] - polyline[k - 1]).norm();
-    result.assign(1, polyline.front());
-    for (std::size_t j = 1; j <= least; ++j) {
-      const double s = lengths.back() * double(j) / double(least + 1);
-      std::size_t k = 1;
-      while (k + 1 < polyline.size() && lengths[k] < s)
-        ++k;
-      const double step = lengths[k] - lengths[k - 1];
-      const double t = step > 0. ? (s - lengths[k - 1]) / step : 0.;
-      result.push_back(polyline[k - 1] + t * (polyline[k] - polyline[k - 1]));
-    }
-    result.push_back(polyline.back());
-  }
+  if (result.size() >= least + 2)
+    return result;
+  // points at equal steps of arc length
+  const std::vector<double> lengths = arc_lengths(polyline);
+  Polyline_walk walk(polyline, lengths);
+  result.assign(1, polyline.front());
+  for (std::size_t j = 1; j <= least; ++j)
+    result.push_back(walk.advance_to(lengths.back() * double(j) / double(least + 1)));
+  result.push_back(polyline.back());
   return result;
 }
 
@@ -137,11 +130,11 @@ builds the topological graph of a wireframe: polylines that end in corners.
   step, as long as it agrees with them; then from points that these curves leave unexplained. What is not needed to
   explain the field is dropped, and so is a curve that runs over a smooth surface: where the points around it (kept if
   `use_creases` was not switched off and the field is not precise) are a graph over a plane, a fold of less than 17
-  degrees, beyond doubt. The ends of
-  the curves are beliefs about corners, sure across the curve and unsure along it: ends whose beliefs agree are joined, ends next to the inside of another curve split it, ends that face each other
-  over a gap are bridged, short curves between corners are added where the field asks for them. Splines fitted to the
-  field replace the polylines, and their ends are joined in the same way once more. The corners handed over only matter
-  in that their points are no seeds.
+  degrees, beyond doubt. The ends of the curves are beliefs about corners, sure across the curve and unsure along it:
+  ends whose beliefs agree are joined, ends next to the inside of another curve split it, ends that face each other over
+  a gap are bridged, short curves between corners are added where the field asks for them. Splines fitted to the field
+  replace the polylines, and their ends are joined in the same way once more. The corners handed over only matter in
+  that their points are no seeds.
 - `Graph_method::SUBDIVIDED`: every cluster gets a polyline between its two ends, or a triangle if it is a cycle, which
   is subdivided at the point that disagrees most with it while that exceeds `split_threshold` (eq. 2 of
   \cgalCite{MAZB21}); ends join the nearest corner.
@@ -182,17 +175,20 @@ builds the topological graph of a wireframe: polylines that end in corners.
     \cgalParamExtra{For each r of its length, a curve has to explain 0.35 times as many more.}
   \cgalParamNEnd
   \cgalParamNBegin{fitting_radius}
-    \cgalParamDescription{the radius of the balls in which local curves are fitted on the way, for `TRACED`, in multiples of r}
+    \cgalParamDescription{the radius of the balls in which local curves are fitted on the way, for `TRACED`, in
+                          multiples of r}
     \cgalParamType{`double`}
     \cgalParamDefault{4}
   \cgalParamNEnd
   \cgalParamNBegin{connection_radius}
-    \cgalParamDescription{the distance below which points of a cluster are connected, for `SUBDIVIDED`, in multiples of r}
+    \cgalParamDescription{the distance below which points of a cluster are connected, for `SUBDIVIDED`, in multiples
+                          of r}
     \cgalParamType{`double`}
     \cgalParamDefault{3}
   \cgalParamNEnd
   \cgalParamNBegin{support_distance}
-    \cgalParamDescription{how far from the curves points may lie that splines are fitted to, for `TRACED`, in multiples of r}
+    \cgalParamDescription{how far from the curves points may lie that splines are fitted to, for `TRACED`, in
+                          multiples of r}
     \cgalParamType{`double`}
     \cgalParamDefault{3}
   \cgalParamNEnd
@@ -235,19 +231,17 @@ points that get s segments.
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTraits,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
+[[nodiscard]]
 Wireframe_graph<GeomTraits>
 build_topological_graph(const Wireframe_skeleton<GeomTraits>& skeleton,
                         const std::vector<Wireframe_corner<GeomTraits> >& corners,
                         const std::vector<std::vector<std::size_t> >& clusters,
                         const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const std::function<bool(double)> callback = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::callback), std::function<bool(double)>());
+  const std::function<bool(double)> proceed = internal::progress_callback(np);
   const internal::Extraction_options options = internal::extraction_options(np);
-  return internal::run_concurrently<ConcurrencyTag>([&] {
-    return internal::build_graph(skeleton, corners, clusters, options,
-                                 [&](double share) { return !callback || callback(share); });
-  });
+  return internal::run_concurrently<ConcurrencyTag>(
+    [&] { return internal::build_graph(skeleton, corners, clusters, options, proceed); });
 }
 
 } // namespace Wireframe_extraction

@@ -17,7 +17,6 @@
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/internal/run_concurrently.h>
 
-#include <algorithm>
 #include <functional>
 #include <memory>
 
@@ -36,8 +35,7 @@ bool contract(Wireframe_skeleton<GeomTraits>& skeleton, const Extraction_options
   auto contraction = std::make_shared<Contraction>();
   if (!contract(skeleton.band(), options.fitting_radius, proceed, *contraction))
     return false;
-  if (options.noise_level >= 0.)
-    contraction->noise = (std::min)(1., options.noise_level);
+  contraction->noise = options.noise_or(contraction->noise);
   skeleton.set_contraction(contraction);
   if (contraction->is_precise())
     skeleton.set_surroundings(std::make_shared<Field_band>());
@@ -90,12 +88,9 @@ template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTrai
 void contract_skeleton(Wireframe_skeleton<GeomTraits>& skeleton,
                        const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const std::function<bool(double)> callback = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::callback), std::function<bool(double)>());
+  const std::function<bool(double)> proceed = internal::progress_callback(np);
   const internal::Extraction_options options = internal::extraction_options(np);
-  internal::run_concurrently<ConcurrencyTag>([&] {
-    internal::contract(skeleton, options, [&](double share) { return !callback || callback(share); });
-  });
+  internal::run_concurrently<ConcurrencyTag>([&] { internal::contract(skeleton, options, proceed); });
 }
 
 } // namespace Wireframe_extraction

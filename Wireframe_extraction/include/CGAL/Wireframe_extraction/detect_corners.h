@@ -207,6 +207,7 @@ detects where curves meet. Two measures are at hand:
 Complexity: O(n log n + n k) for n points with k neighbors in a ball.
 */
 template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>
+[[nodiscard]]
 std::vector<Wireframe_corner<GeomTraits> >
 detect_corners(const Wireframe_skeleton<GeomTraits>& skeleton,
                const NamedParameters& np = CGAL::parameters::default_values())

@@ -27,8 +27,9 @@ cloud of the same density, r = sqrt(0.82 * area per point).
 
 The area per point comes from the discs that reach to the 16th neighbor, the median over at most 4096 points, so that
 neither duplicates nor outliers matter. These are spread evenly over the ranks of the distances to features; points
-without distances are chosen by a hash of their positions. So the order of the cloud does not matter. The estimate is right for Poisson-disk clouds and for uniformly
-random ones alike; there, the mean distance to the nearest neighbor is only about 0.55 r.
+without distances are chosen by a hash of their positions. So the order of the cloud does not matter. The estimate is
+right for Poisson-disk clouds and for uniformly random ones alike; there, the mean distance to the nearest neighbor is
+only about 0.55 r.
 
 \tparam PointRange a model of `ConstRange` whose iterators are forward iterators
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -64,6 +65,7 @@ or have a negative distance do not count.
 Complexity: O(n log n) for n points.
 */
 template <class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
+[[nodiscard]]
 double estimate_sampling_distance(const PointRange& points,
                                   const NamedParameters& np = CGAL::parameters::default_values())
 {

@@ -80,25 +80,15 @@ Spline_curve_3<GeomTraits> to_spline(const Cubic_spline& spline, bool is_closed,
 template <class GeomTraits>
 double noise_of(const Wireframe_skeleton<GeomTraits>& skeleton, const Extraction_options& options)
 {
-  return options.noise_level >= 0. ? (std::min)(1., options.noise_level)
-    : skeleton.is_contracted() ? skeleton.contraction().noise : 0.1;
+  return options.noise_or(skeleton.is_contracted() ? skeleton.contraction().noise : 0.1);
 }
 
+// the paths of the graph, in local coordinates, and the vertices in which they end
 template <class GeomTraits>
-Wireframe<GeomTraits> fit(const Wireframe_skeleton<GeomTraits>& skeleton,
-                          const Wireframe_graph<GeomTraits>& graph, const Extraction_options& options,
-                          const std::function<bool(double)>& proceed)
+std::vector<Fitted_curve> curves_to_fit(const Wireframe_skeleton<GeomTraits>& skeleton,
+                                        const Wireframe_graph<GeomTraits>& graph, std::vector<Vector>& vertices)
 {
-  typedef Wireframe_graph<GeomTraits> Graph;
-  typedef typename boost::graph_traits<Graph>::vertex_descriptor Vertex;
-  typedef typename GeomTraits::FT FT;
-  Wireframe<GeomTraits> wireframe;
-  wireframe.sampling_distance = skeleton.sampling_distance();
-  if (skeleton.support_size() == 0)
-    return wireframe;
-  const std::vector<std::vector<Vertex> > paths = split_into_paths(graph);
-
-  std::vector<Vector> vertices;
+  typedef typename boost::graph_traits<Wireframe_graph<GeomTraits> >::vertex_descriptor Vertex;
   std::vector<std::size_t> vertex_of_node(boost::num_vertices(graph), Fitted_curve::no_vertex);
   const auto vertex = [&](Vertex v) {
     if (vertex_of_node[v] == Fitted_curve::no_vertex) {
@@ -108,7 +98,7 @@ Wireframe<GeomTraits> fit(const Wireframe_skeleton<GeomTraits>& skeleton,
     return vertex_of_node[v];
   };
   std::vector<Fitted_curve> curves;
-  for (const std::vector<Vertex>& path : paths) {
+  for (const std::vector<Vertex>& path : split_into_paths(graph)) {
     if (path.size() < 2)
       continue;
     Fitted_curve curve;
@@ -116,10 +106,24 @@ Wireframe<GeomTraits> fit(const Wireframe_skeleton<GeomTraits>& skeleton,
       curve.path.push_back(skeleton.to_local(get(CGAL::vertex_point, graph, v)));
     const bool is_free_loop = path.front() == path.back() && !graph[path.front()].is_corner;
     for (int e = 0; e < 2; ++e)
-      curve.vertices[e] = is_free_loop ? Fitted_curve::no_vertex
-                                       : vertex(e == 0 ? path.front() : path.back());
+      curve.vertices[e] = is_free_loop ? Fitted_curve::no_vertex : vertex(e == 0 ? path.front() : path.back());
     curves.push_back(curve);
   }
+  return curves;
+}
+
+template <class GeomTraits>
+Wireframe<GeomTraits> fit(const Wireframe_skeleton<GeomTraits>& skeleton,
+                          const Wireframe_graph<GeomTraits>& graph, const Extraction_options& options,
+                          const std::function<bool(double)>& proceed)
+{
+  typedef typename GeomTraits::FT FT;
+  Wireframe<GeomTraits> wireframe;
+  wireframe.sampling_distance = skeleton.sampling_distance();
+  if (skeleton.support_size() == 0)
+    return wireframe;
+  std::vector<Vector> vertices;
+  const std::vector<Fitted_curve> curves = curves_to_fit(skeleton, graph, vertices);
   if (curves.empty())
     return wireframe;
 
@@ -209,16 +213,14 @@ Complexity: O(n log n) for n points per round, besides the solution of the spars
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTraits,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
+[[nodiscard]]
 Wireframe<GeomTraits> fit_curves(const Wireframe_skeleton<GeomTraits>& skeleton,
                                  const Wireframe_graph<GeomTraits>& graph,
                                  const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const std::function<bool(double)> callback = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::callback), std::function<bool(double)>());
+  const std::function<bool(double)> proceed = internal::progress_callback(np);
   const internal::Extraction_options options = internal::extraction_options(np);
-  return internal::run_concurrently<ConcurrencyTag>([&] {
-    return internal::fit(skeleton, graph, options, [&](double share) { return !callback || callback(share); });
-  });
+  return internal::run_concurrently<ConcurrencyTag>([&] { return internal::fit(skeleton, graph, options, proceed); });
 }
 
 } // namespace Wireframe_extraction

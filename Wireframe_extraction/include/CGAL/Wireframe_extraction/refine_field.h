@@ -80,8 +80,7 @@ bool refine(Wireframe_skeleton<GeomTraits>& skeleton, const Extraction_options& 
   auto contraction = std::make_shared<Contraction>();
   if (!contract(*band, options.fitting_radius, part(0.9, 1.), *contraction))
     return false;
-  contraction->noise = options.noise_level >= 0. ? (std::min)(1., options.noise_level)
-                                                 : (std::max)(contraction->noise, refinement.typical_deviation());
+  contraction->noise = options.noise_or((std::max)(contraction->noise, refinement.typical_deviation()));
   contraction->creases = refinement.curves();
   skeleton = skeleton.with_band(band);
   skeleton.set_contraction(contraction);
@@ -152,12 +151,9 @@ template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTrai
 void refine_field(Wireframe_skeleton<GeomTraits>& skeleton,
                   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const std::function<bool(double)> callback = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::callback), std::function<bool(double)>());
+  const std::function<bool(double)> proceed = internal::progress_callback(np);
   const internal::Extraction_options options = internal::extraction_options(np);
-  internal::run_concurrently<ConcurrencyTag>([&] {
-    internal::refine(skeleton, options, [&](double share) { return !callback || callback(share); });
-  });
+  internal::run_concurrently<ConcurrencyTag>([&] { internal::refine(skeleton, options, proceed); });
 }
 
 } // namespace Wireframe_extraction

@@ -262,8 +262,10 @@ Complexity: O(n) for n points and O(m log m) for the m points kept, after the es
 */
 template <class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
 #ifdef DOXYGEN_RUNNING
+[[nodiscard]]
 Wireframe_skeleton<GeomTraits>
 #else
+[[nodiscard]]
 Wireframe_skeleton<typename internal::Cloud_access<PointRange, NamedParameters>::Geom_traits>
 #endif
 select_skeleton(const PointRange& points, const NamedParameters& np = CGAL::parameters::default_values())

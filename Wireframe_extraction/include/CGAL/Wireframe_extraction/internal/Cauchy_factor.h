@@ -18,8 +18,8 @@ namespace Wireframe_extraction {
 namespace internal {
 
 // Makes the residuals of a least-squares problem robust one by one: a residual x is multiplied by
-// sqrt(rho(x^2) / x^2), where rho is Cauchy's loss, so that the sum of squares becomes the sum of losses. Many residuals
-// can then share a block, which spares a solver its bookkeeping.
+// sqrt(rho(x^2) / x^2), where rho is Cauchy's loss, so that the sum of squares becomes the sum of losses. Many
+// residuals can then share a block, which spares a solver its bookkeeping.
 struct Cauchy_factor
 {
   double value = 1.;

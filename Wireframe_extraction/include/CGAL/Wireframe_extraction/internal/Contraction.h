@@ -17,6 +17,7 @@
 #include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -43,7 +44,8 @@ bool contract(const Field_band& band, double radius, const Proceed& proceed, Con
   result.curves.resize(band.skeleton_size);
   result.residuals.resize(band.skeleton_size);
   std::vector<std::size_t> order = band.search.spatial_order();
-  order.erase(std::remove_if(order.begin(), order.end(), [&](std::size_t i) { return i >= band.skeleton_size; }), order.end());
+  order.erase(std::remove_if(order.begin(), order.end(), [&](std::size_t i) { return i >= band.skeleton_size; }),
+              order.end());
   const bool is_complete = for_each_piece_or_cancel(order.size(), [&](std::size_t begin, std::size_t end) {
     Local_curve_fit fit(band);
     Local_fit_options options;

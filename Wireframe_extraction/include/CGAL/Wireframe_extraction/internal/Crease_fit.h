@@ -16,7 +16,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -122,8 +121,9 @@ public:
     crease.curve.bend = (bend_x + q[4]) * normal + (bend_y + q[5]) * binormal;
     crease.curve.bend -= crease.curve.bend.dot(crease.curve.tangent) * crease.curve.tangent;
     for (int k = 0; k < 2; ++k) {
-      crease.strips[k] = std::cos(q[6 + k]) * normal + std::sin(q[6 + k]) * binormal;
-      crease.strips[k] = (crease.strips[k] - crease.strips[k].dot(crease.curve.tangent) * crease.curve.tangent).normalized();
+      Vector& strip = crease.strips[k];
+      strip = std::cos(q[6 + k]) * normal + std::sin(q[6 + k]) * binormal;
+      strip = (strip - strip.dot(crease.curve.tangent) * crease.curve.tangent).normalized();
     }
     crease.fold = CGAL_PI - std::acos((std::min)(1., (std::max)(-1., std::cos(q[6] - q[7]))));
     measure(q, options, crease, hessian);
@@ -236,7 +236,8 @@ private:
       } else {
         // most angles are small, so that a few terms of the series are as good as the functions themselves
         static constexpr double s3 = 1. / 6., s5 = s3 / 20., s7 = s5 / 42., s9 = s7 / 72., s11 = s9 / 110.;
-        static constexpr double c2 = 1. / 2., c4 = c2 / 12., c6 = c4 / 30., c8 = c6 / 56., c10 = c8 / 90., c12 = c10 / 132.;
+        static constexpr double c2 = 1. / 2., c4 = c2 / 12., c6 = c4 / 30., c8 = c6 / 56., c10 = c8 / 90.,
+                                c12 = c10 / 132.;
         sine_of_turn = a * (1. - aa * (s3 - aa * (s5 - aa * (s7 - aa * (s9 - aa * s11)))));
         cosine_of_turn = 1. - aa * (c2 - aa * (c4 - aa * (c6 - aa * (c8 - aa * (c10 - aa * c12)))));
       }
@@ -416,9 +417,10 @@ private:
     const Strips strips(q);
     for (const Sample& p : m_samples) {
       const Offset offset = locate(q, strips, p);
-      if (std::sqrt(offset.x * offset.x + offset.y * offset.y) > 3. || std::abs(p.s) > 2.)
+      const double distance = std::sqrt(offset.x * offset.x + offset.y * offset.y);
+      if (distance > 3. || std::abs(p.s) > 2.)
         continue;
-      const double e = offset.is_valid ? offset.across : (std::min)(1., std::sqrt(offset.x * offset.x + offset.y * offset.y));
+      const double e = offset.is_valid ? offset.across : (std::min)(1., distance);
       squares += p.weight * (std::min)(0.25, e * e);
       total += p.weight;
     }
@@ -429,7 +431,8 @@ private:
     for (int k = 0; k < 4; ++k)
       units(wanted[k], k) = 1.;
     const Eigen::Matrix<double, size, 4> covariance = hessian.ldlt().solve(units);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance.topLeftCorner<2, 2>(), Eigen::EigenvaluesOnly);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance.topLeftCorner<2, 2>(),
+                                                               Eigen::EigenvaluesOnly);
     const double inflation = (std::max)(1., crease.residual / options.surface_noise);
     crease.deviation = inflation * std::sqrt((std::max)(0., solver.eigenvalues()[1]));
     crease.fold_deviation = inflation

@@ -68,8 +68,8 @@ public:
     m_options.field_noise = 100.;
   }
 
-  // a position is known well enough, and the surface is folded there whatever the field says
-  bool is_strong(const Crease& crease) const
+  // its position is known well enough, and the surface is folded there whatever the field says
+  bool may_start(const Crease& crease) const
   {
     return crease.deviation < (std::max)(0.03, 0.8 * m_field_noise)
       && crease.is_sharp();

@@ -14,6 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/internal/Field_band.h>
 #include <CGAL/Wireframe_extraction/internal/spline_basis.h>
+#include <CGAL/Wireframe_extraction/internal/spline_pieces.h>
 
 #include <Eigen/Sparse>
 #include <Eigen/SparseCholesky>
@@ -22,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -37,9 +37,9 @@ struct Curve_piece
   bool is_line() const { return fit && fit->curve.kind == Primitive_kind::LINE; }
 };
 
-// Cuts a curve into the fewest lines, circles and ellipses that explain its stations. Where a single one does, nothing is
-// cut; else the cuts are those of least cost, found by dynamic programming: twice the negative log-likelihood, and as many
-// parameters as there are times the logarithm of the number of observations (Schwarz 1978).
+// Cuts a curve into the fewest lines, circles and ellipses that explain its stations. Where a single one does, nothing
+// is cut; else the cuts are those of least cost, found by dynamic programming: twice the negative log-likelihood, and
+// as many parameters as there are times the logarithm of the number of observations (Schwarz 1978).
 class Curve_cutter
 {
   static constexpr std::size_t most_places = 250;   // for cuts
@@ -230,8 +230,8 @@ private:
     }
   }
 
-  // How many stations one line or circle explains, from station `from` of those after `start` on: forward up to `end`, or
-  // backward down to 0. Found by doubling and bisection.
+  // How many stations one line or circle explains, from station `from` of those after `start` on: forward up to `end`,
+  // or backward down to 0. Found by doubling and bisection.
   std::size_t largest_window(std::size_t start, std::size_t from, std::size_t end, bool is_forward) const
   {
     const std::size_t available = is_forward ? end - from : from;

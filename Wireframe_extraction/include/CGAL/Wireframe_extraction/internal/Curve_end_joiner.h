@@ -12,52 +12,20 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_CURVE_END_JOINER_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CURVE_END_JOINER_H
 
+#include <CGAL/Wireframe_extraction/internal/Corner_merger.h>
 #include <CGAL/Wireframe_extraction/internal/Network_editor.h>
 #include <CGAL/Wireframe_extraction/internal/Tangency_resolver.h>
 
-#include <Eigen/LU>
-
-#include <queue>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
 #include <tuple>
+#include <vector>
 
 namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
-
-// Where a curve ends is known well across the curve and badly along it. Such a belief is a Gaussian, and beliefs
-// about the same corner multiply.
-struct Position_belief
-{
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  Vector weighted = Vector::Zero();     // information * mean
-  double constant = 0.;                 // sum of mean^T information mean
-
-  static Position_belief along_line(const Vector& mean, const Vector& direction, double along, double across)
-  {
-    Position_belief belief;
-    const Eigen::Matrix3d parallel = direction * direction.transpose();
-    belief.information = (Eigen::Matrix3d::Identity() - parallel) / (across * across);
-    if (along < (std::numeric_limits<double>::infinity)())
-      belief.information += parallel / (along * along);
-    belief.weighted = belief.information * mean;
-    belief.constant = mean.dot(belief.weighted);
-    return belief;
-  }
-
-  Position_belief operator*(const Position_belief& other) const
-  {
-    Position_belief product;
-    product.information = information + other.information;
-    product.weighted = weighted + other.weighted;
-    product.constant = constant + other.constant;
-    return product;
-  }
-
-  Vector mean() const { return information.ldlt().solve(weighted); }
-
-  // sum of the squared, normalised deviations of the single beliefs from their common mean
-  double disagreement() const { return (std::max)(0., constant - weighted.dot(mean())); }
-};
 
 // Joins the ends of traced curves in a network.
 class Curve_end_joiner : private Network_editor
@@ -69,8 +37,9 @@ public:
   {
     Tangency_resolver tangencies(m_network, m_options);
     tangencies.bridge_tangencies();
-    merge_nodes_that_agree();
-    attach_ends_to_passing_curves();
+    Corner_merger corners(m_network, m_options);
+    corners.merge_nodes_that_agree();
+    corners.attach_ends_to_passing_curves();
     dissolve_smooth_joints();
     bridge_gaps();
     extend_free_ends();
@@ -178,10 +147,7 @@ public:
   template <class Prune>
   void prune(const Prune& prune_polylines)
   {
-    std::vector<const std::vector<Vector>*> polylines;
-    for (const Network_curve& curve : m_network.curves)
-      polylines.push_back(curve.is_alive ? &curve.points : nullptr);
-    const std::vector<char> keep = prune_polylines(polylines);
+    const std::vector<char> keep = prune_polylines(m_network.polylines());
     for (std::size_t c = 0; c < keep.size(); ++c)
       m_network.curves[c].is_alive = keep[c];
     dissolve_smooth_joints();
@@ -247,181 +213,6 @@ public:
   }
 
 private:
-  Position_belief belief(const Curve_end& end) const
-  {
-    const Network_curve& curve = m_network.curves[end.first];
-    const Local_curve& tip = curve.tips[end.second];
-    const double along = curve.ends_in_void[end.second] ? m_options.along() + 1.5 : m_options.along();
-    const double ahead = curve.ends_in_void[end.second] ? 1.3 : 0.3;
-    return Position_belief::along_line(tip.at(ahead), tip.tangent_at(ahead), along, m_options.across());
-  }
-
-  struct Cluster
-  {
-    Position_belief belief;
-    std::vector<Curve_end> members;
-    std::size_t number_of_nodes;
-    bool is_alive;
-  };
-
-  // agglomerative: of all nodes, the two that agree best become one first
-  void merge_nodes_that_agree()
-  {
-    std::vector<Cluster> clusters;
-    std::vector<Vector> positions;
-    for (const std::vector<Curve_end>& ends : m_network.incidences()) {
-      if (ends.empty())
-        continue;
-      Cluster cluster{belief(ends[0]), ends, 1, true};
-      for (std::size_t k = 1; k < ends.size(); ++k)
-        cluster.belief = cluster.belief * belief(ends[k]);
-      positions.push_back(cluster.belief.mean());
-      clusters.push_back(cluster);
-    }
-    typedef std::tuple<double, std::size_t, std::size_t> Candidate;
-    std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate> > queue;
-    const auto propose = [&](std::size_t a, std::size_t b) {
-      if (!may_meet(clusters[a], clusters[b]))
-        return;
-      const double cost = (clusters[a].belief * clusters[b].belief).disagreement()
-        - clusters[a].belief.disagreement() - clusters[b].belief.disagreement();
-      if (cost < m_options.maximum_disagreement)
-        queue.emplace(cost, a, b);
-    };
-    const Ball_search search(positions);
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-      search.query(positions[i], m_options.reach, found);
-      for (std::size_t j : found)
-        if (i < j)
-          propose(i, j);
-    }
-    while (!queue.empty()) {
-      const std::size_t a = std::get<1>(queue.top()), b = std::get<2>(queue.top());
-      queue.pop();
-      if (!clusters[a].is_alive || !clusters[b].is_alive)
-        continue;
-      Cluster merged = clusters[a];
-      merged.belief = merged.belief * clusters[b].belief;
-      merged.members.insert(merged.members.end(), clusters[b].members.begin(), clusters[b].members.end());
-      merged.number_of_nodes += clusters[b].number_of_nodes;
-      clusters[a].is_alive = clusters[b].is_alive = false;
-      const Vector mean = merged.belief.mean();
-      clusters.push_back(merged);
-      for (std::size_t k = 0; k + 1 < clusters.size(); ++k)
-        if (clusters[k].is_alive && (clusters[k].belief.mean() - mean).norm() < m_options.reach)
-          propose(k, clusters.size() - 1);
-    }
-    for (const Cluster& cluster : clusters) {
-      if (!cluster.is_alive || cluster.number_of_nodes < 2)
-        continue;
-      const std::size_t node = m_network.nodes.size();
-      m_network.nodes.push_back(cluster.belief.mean());
-      for (const Curve_end& end : cluster.members)
-        attach(end, node);
-    }
-  }
-
-  // the two ends of one short curve are no corner
-  bool may_meet(const Cluster& a, const Cluster& b) const
-  {
-    for (const Curve_end& i : a.members)
-      for (const Curve_end& j : b.members)
-        if (i.first == j.first && polyline_length(m_network.curves[i.first].points) < 8.)
-          return false;
-    return true;
-  }
-
-  // a node next to the inside of another curve splits that curve
-  void attach_ends_to_passing_curves()
-  {
-    Segment_grid grid;
-    for (std::size_t c = 0; c < m_network.curves.size(); ++c)
-      if (m_network.curves[c].is_alive)
-        grid.add(c, m_network.curves[c].points);
-    struct Split { std::size_t node, curve; Segment_grid::Hit hit; };
-    std::vector<Split> splits;
-    const auto incidences = m_network.incidences();
-    for (std::size_t node = 0; node < incidences.size(); ++node) {
-      if (incidences[node].empty())
-        continue;
-      Position_belief common;
-      for (const Curve_end& end : incidences[node])
-        common = common * belief(end);
-      const Vector position = incidences[node].size() > 1 ? m_network.nodes[node] : common.mean();
-      std::vector<Segment_grid::Hit> best_of_curve;
-      grid.visit(position, 3., [&](const Segment_grid::Hit& hit) {
-        for (Segment_grid::Hit& other : best_of_curve)
-          if (other.curve == hit.curve) {
-            if (hit.distance < other.distance)
-              other = hit;
-            return;
-          }
-        best_of_curve.push_back(hit);
-      });
-      for (const Segment_grid::Hit& hit : best_of_curve) {
-        if (!is_inside(hit))
-          continue;
-        const Position_belief line = Position_belief::along_line(
-          hit.point, hit.direction, (std::numeric_limits<double>::infinity)(), m_options.across());
-        const Position_belief both = common * line;
-        if (both.disagreement() - common.disagreement() < m_options.maximum_disagreement)
-          splits.push_back({node, hit.curve, hit});
-      }
-    }
-    // splits of one curve, from its end to its beginning, keep the indices of the segments valid
-    std::sort(splits.begin(), splits.end(), [](const Split& a, const Split& b) {
-      return std::make_tuple(a.curve, b.hit.segment, a.node) < std::make_tuple(b.curve, a.hit.segment, b.node);
-    });
-    for (std::size_t k = 0; k < splits.size(); ++k) {
-      const std::size_t shift = split_curve(splits[k].curve, splits[k].hit, splits[k].node);
-      for (std::size_t other = k + 1; other < splits.size() && splits[other].curve == splits[k].curve; ++other)
-        splits[other].hit.segment += shift;
-    }
-  }
-
-  // returns by how much the indices of the segments before grow: a closed curve begins anew where it is opened
-  std::size_t split_curve(std::size_t c, const Segment_grid::Hit& hit, std::size_t node)
-  {
-    const Curve_network& network = m_network;
-    std::vector<Vector> points = network.curves[c].points;
-    if (hit.segment + 1 >= points.size())
-      return 0;
-    const auto incidences = m_network.incidences();
-    if (incidences[node].size() == 1) {
-      m_network.nodes[node] = hit.point;
-      attach(incidences[node].front(), node);
-      points = network.curves[c].points;
-      if (hit.segment + 1 >= points.size())
-        return 0;
-    }
-    const Vector position = m_network.nodes[node];
-    if (network.curves[c].is_closed_without_node()) {
-      // a closed curve is opened at the node
-      std::vector<Vector> opened{position};
-      opened.insert(opened.end(), points.begin() + hit.segment + 1, points.end() - 1);
-      opened.insert(opened.end(), points.begin(), points.begin() + hit.segment + 1);
-      opened.push_back(position);
-      Network_curve& curve = m_network.curves[c];
-      curve.points = opened;
-      curve.nodes = {node, node};
-      set_tips(curve);
-      return points.size() - 1 - hit.segment;
-    }
-    Network_curve second = network.curves[c];
-    second.points.assign(points.begin() + hit.segment + 1, points.end());
-    second.points.insert(second.points.begin(), position);
-    second.nodes[0] = node;
-    set_tip(second, 0);
-    Network_curve& first = m_network.curves[c];
-    first.points.resize(hit.segment + 1);
-    first.points.push_back(position);
-    first.nodes[1] = node;
-    set_tip(first, 1);
-    m_network.curves.push_back(second);
-    return 0;
-  }
-
   static std::vector<Vector> straight(const Vector& a, const Vector& b)
   {
     const std::size_t count = (std::max)(std::size_t(4), static_cast<std::size_t>(2. * (b - a).norm()));

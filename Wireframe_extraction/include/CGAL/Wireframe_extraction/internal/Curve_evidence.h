@@ -13,7 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CURVE_EVIDENCE_H
 
 #include <CGAL/Wireframe_extraction/internal/Curve_network.h>
-#include <CGAL/Wireframe_extraction/internal/Polyline_feet.h>
+#include <CGAL/Wireframe_extraction/internal/polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/for_each_piece.h>
 
 #include <CGAL/number_utils.h>

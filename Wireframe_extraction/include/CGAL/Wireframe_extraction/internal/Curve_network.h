@@ -13,10 +13,9 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CURVE_NETWORK_H
 
 #include <CGAL/Wireframe_extraction/internal/Curve_tracer.h>
+#include <CGAL/Wireframe_extraction/internal/polyline_tools.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -38,14 +37,6 @@ struct Network_curve
 
   bool is_closed_without_node() const { return nodes[0] == no_node; }
 };
-
-inline double polyline_length(const std::vector<Vector>& points)
-{
-  double sum = 0.;
-  for (std::size_t i = 1; i < points.size(); ++i)
-    sum += (points[i] - points[i - 1]).norm();
-  return sum;
-}
 
 // Curves that meet in nodes.
 struct Curve_network
@@ -70,6 +61,15 @@ struct Curve_network
         }
       curves.push_back(curve);
     }
+  }
+
+  // of the curves, null where one is no longer alive
+  std::vector<const std::vector<Vector>*> polylines() const
+  {
+    std::vector<const std::vector<Vector>*> result;
+    for (const Network_curve& curve : curves)
+      result.push_back(curve.is_alive ? &curve.points : nullptr);
+    return result;
   }
 
   // all (curve, end) pairs of the living curves, by node

@@ -13,7 +13,8 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CURVE_STATIONS_H
 
 #include <CGAL/Wireframe_extraction/internal/Field_band.h>
-#include <CGAL/Wireframe_extraction/internal/Polyline_feet.h>
+#include <CGAL/Wireframe_extraction/internal/polyline_feet.h>
+#include <CGAL/Wireframe_extraction/internal/polyline_tools.h>
 
 #include <Eigen/Dense>
 
@@ -33,7 +34,7 @@ struct Station
   Vector position = Vector::Zero();                         // where the field has the curve
   Vector followed = Vector::Zero();                         // where the curve that was followed is
   Vector tangent = Vector::UnitX();                         // of the curve that was followed
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();    // inverse covariance of the position; zero along the tangent
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();    // inverse covariance of the position; 0 along the tangent
   std::size_t support = 0;                                  // number of points
 };
 
@@ -42,8 +43,8 @@ struct Curve_support { std::size_t point; double parameter; Vector foot; };
 
 // Follows polylines through the field and tells, about every 1.5 sampling distances, where the field has them. The
 // variance of a station is that of a single distance, which the noise level of the field tells, over the sum of its
-// points' weights: the errors of the refined field, and those of points that share a patch of the surface, are alike over
-// some sampling distances, so that the scatter within a station would promise too much.
+// points' weights: the errors of the refined field, and those of points that share a patch of the surface, are alike
+// over some sampling distances, so that the scatter within a station would promise too much.
 class Curve_stations
 {
   // Even an exact field is known at points only, and curves are sampled.
@@ -72,12 +73,10 @@ public:
         continue;
       const std::size_t c = feet[i].curve;
       const std::vector<Vector>& polyline = polylines[c];
-      const Vector foot = feet[i].point(polyline);
-      const double u = lengths[c][feet[i].segment] + (foot - polyline[feet[i].segment]).norm();
+      const double u = feet[i].interpolate(lengths[c]);
       const bool is_closed = polyline.front() == polyline.back();
-      // the nearest point of an open curve's end says nothing of where the curve runs
-      if (is_closed || (u > 1e-6 && u < lengths[c].back() - 1e-6))
-        support[c].push_back({i, u, foot});
+      if (is_closed || !is_at_end(u, lengths[c].back()))
+        support[c].push_back({i, u, feet[i].point(polyline)});
     }
     return support;
   }
@@ -86,20 +85,19 @@ public:
   std::vector<Station> run(const std::vector<Vector>& polyline, const std::vector<Curve_support>& support) const
   {
     const std::vector<double> lengths = arc_lengths(polyline);
-    const std::size_t count = (std::max)(std::size_t(1), static_cast<std::size_t>(std::floor(lengths.back() / spacing)));
+    const std::size_t count = (std::max)(std::size_t(1), static_cast<std::size_t>(lengths.back() / spacing));
     std::vector<std::vector<const Curve_support*> > members(count);
-    for (const Curve_support& s : support)
-      members[(std::min)(count - 1, static_cast<std::size_t>(s.parameter / lengths.back() * double(count)))].push_back(&s);
+    for (const Curve_support& s : support) {
+      const std::size_t i = static_cast<std::size_t>(s.parameter / lengths.back() * double(count));
+      members[(std::min)(count - 1, i)].push_back(&s);
+    }
     std::vector<Station> stations;
-    std::size_t k = 1;
+    Polyline_walk walk(polyline, lengths);
     for (std::size_t i = 0; i < count; ++i) {
       Station station;
       station.parameter = lengths.back() * (double(i) + 0.5) / double(count);
-      while (k + 1 < lengths.size() && lengths[k] < station.parameter)
-        ++k;
-      const Vector step = polyline[k] - polyline[k - 1];
-      station.tangent = step.normalized();
-      station.position = polyline[k - 1] + (station.parameter - lengths[k - 1]) / (std::max)(1e-30, lengths[k] - lengths[k - 1]) * step;
+      station.position = walk.advance_to(station.parameter);
+      station.tangent = walk.segment().normalized();
       locate(members[i], station);
       stations.push_back(station);
     }

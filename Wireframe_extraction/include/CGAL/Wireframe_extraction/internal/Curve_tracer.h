@@ -14,6 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/internal/Local_curve.h>
 #include <CGAL/Wireframe_extraction/internal/Segment_grid.h>
+#include <CGAL/Wireframe_extraction/internal/polyline_tools.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,22 +47,8 @@ struct Traced_curve
     return sorted[k];
   }
 
-  double length() const
-  {
-    double sum = 0.;
-    for (std::size_t i = 1; i < points.size(); ++i)
-      sum += (points[i] - points[i - 1]).norm();
-    return sum;
-  }
+  double length() const { return polyline_length(points); }
 };
-
-inline double squared_distance_to_segment(const Vector& p, const Vector& a, const Vector& b)
-{
-  const Vector direction = b - a;
-  const double squared_length = direction.squaredNorm();
-  const double s = squared_length > 0. ? (p - a).dot(direction) / squared_length : 0.;
-  return (p - a - (std::min)(1., (std::max)(0., s)) * direction).squaredNorm();
-}
 
 struct Tracing_options
 {
@@ -209,7 +196,10 @@ public:
   void keep(const Traced_curve& curve) { m_traced.add(m_number_of_traced++, curve.points); }
 
   // whether a kept curve runs along this one
-  bool is_traced(const Local_curve& front) const { return runs_along(m_traced, front, 0.6 + m_options.noise, m_extended); }
+  bool is_traced(const Local_curve& front) const
+  {
+    return runs_along(m_traced, front, 0.6 + m_options.noise, m_extended);
+  }
 
   // what the points around `front` say of the curve between its parameters -0.5 and 0.75
   Evidence evidence(const Local_curve& front)

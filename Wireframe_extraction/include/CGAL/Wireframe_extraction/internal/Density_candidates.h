@@ -28,8 +28,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// The points of a cloud at which its density may be measured, sorted by distance. Between equal distances, a hash of the
-// position decides, so that the order of the cloud does not matter.
+// The points of a cloud at which its density may be measured, sorted by distance. Between equal distances, a hash of
+// the position decides, so that the order of the cloud does not matter.
 class Density_candidates
 {
   struct Ranked { double distance; std::size_t index; };

@@ -18,7 +18,9 @@
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -58,6 +60,9 @@ struct Extraction_options
   bool recognize_types = true;
   double type_significance = 0.001;
   bool regularize = false;
+
+  // the given noise level, or what was found in the field
+  double noise_or(double found) const { return noise_level >= 0. ? (std::min)(1., noise_level) : found; }
 };
 
 // Says which option is out of its range; empty if none is.
@@ -139,6 +144,15 @@ Extraction_options given_options(const NamedParameters& np)
 #undef CGAL_WIREFRAME_READ_LENGTH
 #undef CGAL_WIREFRAME_READ
   return options;
+}
+
+// what a single stage asks whether to go on
+template <class NamedParameters>
+std::function<bool(double)> progress_callback(const NamedParameters& np)
+{
+  const std::function<bool(double)> callback = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::callback), std::function<bool(double)>());
+  return [callback](double share) { return !callback || callback(share); };
 }
 
 // of a single stage: values out of their ranges are the caller's error

@@ -112,8 +112,8 @@ public:
     m_tree->build();
   }
 
-  // the indices of all positions, those of neighbors close to each other: who visits them in this order finds the memory
-  // around them in the caches
+  // the indices of all positions, those of neighbors close to each other: who visits them in this order finds the
+  // memory around them in the caches
   std::vector<std::size_t> spatial_order() const
   {
     return m_tree ? std::vector<std::size_t>(m_tree->begin(), m_tree->end()) : std::vector<std::size_t>();

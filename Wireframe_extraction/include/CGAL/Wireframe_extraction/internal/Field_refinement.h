@@ -183,8 +183,8 @@ private:
   bool is_strong(const Crease& crease) const { return is_good(crease) && crease.is_sharp(); }
 
   // Follows strong creases, also to where the field did not show them. Several are followed at the same time, before it
-  // is known whether those with better seeds will cover them: if they do, it was in vain and is done again. So the curves
-  // are those that come about one after the other.
+  // is known whether those with better seeds will cover them: if they do, it was in vain and is done again. So the
+  // curves are those that come about one after the other.
   template <class Proceed>
   bool trace_creases(const Proceed& proceed)
   {
@@ -222,7 +222,7 @@ private:
     const Crease_tracer tracer = this->tracer();
     std::vector<std::size_t> seeds;
     for (std::size_t i = 0; i < m_creases.size(); ++i)
-      if (tracer.is_strong(m_creases[i]))
+      if (tracer.may_start(m_creases[i]))
         seeds.push_back(i);
     std::sort(seeds.begin(), seeds.end(), [&](std::size_t a, std::size_t b) {
       return std::tie(m_creases[a].deviation, a) < std::tie(m_creases[b].deviation, b);
@@ -230,9 +230,10 @@ private:
     return seeds;
   }
 
-  // As many seeds from `begin` on as there are threads, most of which will lie on different curves; `end` is beyond those
-  // that were looked at.
-  std::vector<std::size_t> seeds_far_apart(const std::vector<std::size_t>& seeds, std::size_t begin, std::size_t& end) const
+  // As many seeds from `begin` on as there are threads, most of which will lie on different curves; `end` is beyond
+  // those that were looked at.
+  std::vector<std::size_t> seeds_far_apart(const std::vector<std::size_t>& seeds, std::size_t begin,
+                                           std::size_t& end) const
   {
     static constexpr double least_distance = 30.;
     const std::size_t most = concurrency();
@@ -278,8 +279,8 @@ private:
     }
   }
 
-  // Points whose feet are closer to one another than the surface errs show the same crease, with the same errors: one of
-  // them will do, that with the best fit.
+  // Points whose feet are closer to one another than the surface errs show the same crease, with the same errors: one
+  // of them will do, that with the best fit.
   void choose_places()
   {
     const double spacing = (std::min)(0.7, 3. * m_options.surface_noise);

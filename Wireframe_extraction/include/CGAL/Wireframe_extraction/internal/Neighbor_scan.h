@@ -73,8 +73,8 @@ class Neighbor_scan
     }
   };
 
-  // Cells of one size, and the queries whose balls reach into them: a hash table with open addressing, whose size is a power
-  // of two.
+  // Cells of one size, and the queries whose balls reach into them: a hash table with open addressing, whose size is a
+  // power of two.
   class Level
   {
     struct Entry { std::uint64_t key; std::uint32_t query, is_used; };

@@ -75,8 +75,8 @@ public:
 
 private:
   // The probability of a larger value of the chi-square distribution with k degrees of freedom, by the approximation of
-  // Wilson and Hilferty (1931). Boost's function is not usable: where rounding modes are respected, as CGAL asks compilers
-  // to, it returns values that are no probabilities.
+  // Wilson and Hilferty (1931). Boost's function is not usable: where rounding modes are respected, as CGAL asks
+  // compilers to, it returns values that are no probabilities.
   static double chi_square_tail(double x, double k)
   {
     const double variance = 2. / (9. * k);
@@ -202,8 +202,8 @@ private:
       s3 += linear * linear.transpose();
     }
     const Eigen::Matrix3d t = -s3.ldlt().solve(s2.transpose());
-    // The form q of an ellipse has 4 a c - b^2 > 0. Among those with the value 1, the best one belongs to the only positive
-    // eigenvalue of this form relative to the squared algebraic residuals, which exact points make singular.
+    // The form q of an ellipse has 4 a c - b^2 > 0. Among those with the value 1, the best one belongs to the only
+    // positive eigenvalue of this form relative to the squared algebraic residuals, which exact points make singular.
     Eigen::Matrix3d m = s1 + s2 * t, constraint;
     m += 1e-12 * s1.trace() * Eigen::Matrix3d::Identity();
     constraint << 0., 0., 2., 0., -1., 0., 2., 0., 0.;

@@ -15,9 +15,9 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// Sums for the normal equations of a fit whose residuals depend on where a curve passes a cross-section: on its position
-// there, which changes along the curve by a tangent and a curvature. The derivatives by these six parameters are those by
-// the position, times 1, s and s^2 / 2: sums over powers of s hold all of their products.
+// Sums for the normal equations of a fit whose residuals depend on where a curve passes a cross-section: on its
+// position there, which changes along the curve by a tangent and a curvature. The derivatives by these six parameters
+// are those by the position, times 1, s and s^2 / 2: sums over powers of s hold all of their products.
 struct Section_sums
 {
   double xx[5] = {}, xy[5] = {}, yy[5] = {};    // by powers of s

@@ -11,7 +11,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SURFACE_EVIDENCE_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SURFACE_EVIDENCE_H
 
-#include <CGAL/Wireframe_extraction/internal/Polyline_feet.h>
+#include <CGAL/Wireframe_extraction/internal/polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
 
 #include <CGAL/number_utils.h>
@@ -28,9 +28,9 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// Tells whether the surface is folded along a curve. In windows along the curve, the points that are nearer to it than to
-// any other curve are heights over a plane: a smooth surface gives a paraboloid, a fold adds a multiple of the distance to
-// the curve. Where the field wants a curve but the surface is smooth beyond doubt, there is none.
+// Tells whether the surface is folded along a curve. In windows along the curve, the points that are nearer to it than
+// to any other curve are heights over a plane: a smooth surface gives a paraboloid, a fold adds a multiple of the
+// distance to the curve. Where the field wants a curve but the surface is smooth beyond doubt, there is none.
 class Surface_evidence
 {
   // of the heights by x across the curve and s along it: 1, x, s, |x|, x^2, x s
@@ -53,7 +53,8 @@ class Surface_evidence
 
   static constexpr double reach = 3., window_length = 3.;
   static constexpr std::size_t least_samples = 10;
-  static constexpr double most_residual = 0.45;     // no noise of positions is larger; points of thin walls spread as much
+  // no noise of positions is larger; points of thin walls spread as much
+  static constexpr double most_residual = 0.45;
 
 public:
   // tangent of half the angle by which the surface folds, and its standard deviation
@@ -102,10 +103,9 @@ private:
       const std::vector<Vector>& points = *polylines[feet[i].curve];
       std::vector<Window>& curve = windows[feet[i].curve];
       const Vector foot = feet[i].point(points), direction = points[feet[i].segment + 1] - points[feet[i].segment];
-      const double length = lengths[feet[i].curve].back();
-      const double s = lengths[feet[i].curve][feet[i].segment] + feet[i].share * direction.norm();
-      if (s < 1e-6 || s > length - 1e-6)
-        continue;         // beyond the end, where other curves may meet
+      const double length = lengths[feet[i].curve].back(), s = feet[i].interpolate(lengths[feet[i].curve]);
+      if (is_at_end(s, length))
+        continue;
       const double share = s / length * double(curve.size());
       const std::size_t k = (std::min)(curve.size() - 1, static_cast<std::size_t>(share));
       curve[k].samples.push_back({(share - double(k) - 0.5) * window_length, m_surroundings.points[i] - foot});
@@ -191,8 +191,8 @@ private:
     }
     fold.is_known = known > 0 && 2 * known >= windows.size();
     if (fold.is_known) {
-      // Where the surface is smooth, the slopes are errors, and their mean size is that of a normal distribution; a fold that
-      // is convex in some windows and concave in others shows in the sizes only.
+      // Where the surface is smooth, the slopes are errors, and their mean size is that of a normal distribution; a
+      // fold that is convex in some windows and concave in others shows in the sizes only.
       const double beyond_errors = (sum_of_sizes - std::sqrt(2. / CGAL_PI) * sum_of_deviations) / total;
       fold.slope = (std::max)(std::abs(sum / total), beyond_errors);
       fold.deviation = std::sqrt(1. / total);

@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// Curves that touch each other, such as a circle and the side of a square around it, cannot be told apart near the point
-// of contact. They lead through it all the same, and there is no vertex.
+// Curves that touch each other, such as a circle and the side of a square around it, cannot be told apart near the
+// point of contact. They lead through it all the same, and there is no vertex.
 class Tangency_resolver : private Network_editor
 {
   static constexpr double tangential_turn = 0.5;

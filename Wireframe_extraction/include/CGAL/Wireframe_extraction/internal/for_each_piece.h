@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// Calls work(begin, end) on pieces of [0, count) of about `size`, at the same time where there are threads for it. How it
-// is cut must not matter.
+// Calls work(begin, end) on pieces of [0, count) of about `size`, at the same time where there are threads for it. How
+// it is cut must not matter.
 template <class Work>
 void for_each_piece(std::size_t count, const Work& work, std::size_t size = 256)
 {

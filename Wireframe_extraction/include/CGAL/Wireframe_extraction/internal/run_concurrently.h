@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// Runs a function, and what it runs at the same time: with all threads that there are, or with one only. The result must not
-// depend on it.
+// Runs a function, and what it runs at the same time: with all threads that there are, or with one only. The result
+// must not depend on it.
 template <class ConcurrencyTag, class Function>
 auto run_concurrently(const Function& function) -> decltype(function())
 {

@@ -8,11 +8,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Wireframe_extraction authors
+
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_POLYLINE_FEET_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_POLYLINE_FEET_H
 
 #include <CGAL/Wireframe_extraction/internal/Field_band.h>
 #include <CGAL/Wireframe_extraction/internal/for_each_piece.h>
+#include <CGAL/Wireframe_extraction/internal/polyline_tools.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,18 +29,10 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// from the first point of a polyline to each of its points
-inline std::vector<double> arc_lengths(const std::vector<Vector>& polyline)
-{
-  std::vector<double> lengths(polyline.size(), 0.);
-  for (std::size_t k = 1; k < polyline.size(); ++k)
-    lengths[k] = lengths[k - 1] + (polyline[k] - polyline[k - 1]).norm();
-  return lengths;
-}
-
 // The nearest place on a polyline.
 struct Polyline_foot
 {
+  // 32 bits for indices: there is a foot for every point of a band
   static constexpr std::uint32_t no_curve = static_cast<std::uint32_t>(-1);
 
   double distance = 0.;
@@ -50,10 +44,16 @@ struct Polyline_foot
   {
     return polyline[segment] + share * (polyline[segment + 1] - polyline[segment]);
   }
+  // of values that grow along each segment of the polyline, such as its arc lengths
+  double interpolate(const std::vector<double>& values) const
+  {
+    return values[segment] + share * (values[segment + 1] - values[segment]);
+  }
 };
 
-// Calls visitor(i, foot) for the points of a band closer than `radius` to a polyline. It goes along the polyline, run by
-// run of segments, and asks the band for the points around each: a point has a foot on every run that is close enough.
+// Calls visitor(i, foot) for the points of a band closer than `radius` to a polyline. It goes along the polyline, run
+// by run of segments, and asks the band for the points around each: a point has a foot on every run that is close
+// enough.
 template <class Visitor>
 void visit_feet(const Field_band& band, std::size_t curve, const std::vector<Vector>& polyline, double radius,
                 const Visitor& visitor)
@@ -127,6 +127,13 @@ inline std::vector<Polyline_foot> nearest_feet(const Field_band& band,
     }
   }, 1);
   return feet;
+}
+
+// Whether a foot is an end of the polyline. Where that is open, points beyond it have their feet there, which say
+// nothing of where the curve runs, and other curves may meet.
+inline bool is_at_end(double arc_length, double length)
+{
+  return arc_length < 1e-6 || arc_length > length - 1e-6;
 }
 
 inline std::vector<const std::vector<Vector>*> pointers_to(const std::vector<std::vector<Vector> >& polylines)

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_TRACE_NETWORK_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TRACE_NETWORK_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_TRACER_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_TRACER_H
 
 #include <CGAL/Wireframe_extraction/internal/Contraction.h>
 #include <CGAL/Wireframe_extraction/internal/Curve_end_joiner.h>
@@ -90,7 +90,7 @@ private:
       joiner.round_off([&](const Vector& center, double radius, const std::vector<const std::vector<Vector>*>& lines) {
         return sharp_evidence.loss_around(center, radius, lines);
       }, 0.5 * least_gain);
-      std::vector<double> distances = evidence.distances(polylines(network));
+      std::vector<double> distances = evidence.distances(network.polylines());
       joiner.add_edges_between_nodes(10., [&](const std::vector<Vector>& edge) {
         return evidence.gain_of(edge, distances) - least_gain - 0.35 * least_gain * polyline_length(edge);
       }, [&](const std::vector<Vector>& edge) { evidence.add(edge, distances); });
@@ -132,14 +132,6 @@ private:
         on_crease += m_band.is_on_crease[i] != 0;
       }
     return 2 * on_crease > all;
-  }
-
-  static std::vector<const std::vector<Vector>*> polylines(const Curve_network& network)
-  {
-    std::vector<const std::vector<Vector>*> result;
-    for (const Network_curve& curve : network.curves)
-      result.push_back(curve.is_alive ? &curve.points : nullptr);
-    return result;
   }
 
   // replaces the polylines by splines fitted to the field
@@ -277,4 +269,4 @@ private:
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_TRACE_NETWORK_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_TRACER_H

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SUBDIVIDE_NETWORK_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SUBDIVIDE_NETWORK_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SUBDIVIDER_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SUBDIVIDER_H
 
 #include <CGAL/Wireframe_extraction/internal/Curve_network.h>
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
@@ -238,4 +238,4 @@ private:
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SUBDIVIDE_NETWORK_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SUBDIVIDER_H
