@@ -3,11 +3,11 @@
 #ifndef EXTRACT_WIREFRAME_BATCH_RESULT_H
 #define EXTRACT_WIREFRAME_BATCH_RESULT_H
 
-#include "extract_wireframe_batch.h"
-#include "extract_wireframe_batch_record.h"
-#include "extract_wireframe_batch_summary.h"
-#include "extract_wireframe_error.h"
-#include "extract_wireframe_processes.h"
+#include "Batch_record.h"
+#include "Error.h"
+#include "Processes.h"
+#include "batch_summary.h"
+#include "run_batch.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 // The formats of CAD programs that the tool extract_wireframe writes, if it is built with OpenCASCADE. They are
 // compiled apart from the rest.
 
-#ifndef EXTRACT_WIREFRAME_CAD_H
-#define EXTRACT_WIREFRAME_CAD_H
+#ifndef EXTRACT_WIREFRAME_WRITE_CAD_H
+#define EXTRACT_WIREFRAME_WRITE_CAD_H
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/policies.h>
@@ -22,4 +22,4 @@ bool write_cad(const std::string& extension, std::ostream& stream,
 
 } // namespace tool
 
-#endif // EXTRACT_WIREFRAME_CAD_H
+#endif // EXTRACT_WIREFRAME_WRITE_CAD_H

@@ -1,7 +1,7 @@
 // Which points of the cloud are shown, and in which colours.
 
-#ifndef EXTRACT_WIREFRAME_CLOUD_H
-#define EXTRACT_WIREFRAME_CLOUD_H
+#ifndef EXTRACT_WIREFRAME_SHOWN_CLOUD_H
+#define EXTRACT_WIREFRAME_SHOWN_CLOUD_H
 
 #include <CGAL/Wireframe_extraction/IO/internal/curve_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe_tools.h>
@@ -64,4 +64,4 @@ inline void thin(std::vector<std::size_t>& indices, std::size_t most)
 
 } // namespace tool
 
-#endif // EXTRACT_WIREFRAME_CLOUD_H
+#endif // EXTRACT_WIREFRAME_SHOWN_CLOUD_H

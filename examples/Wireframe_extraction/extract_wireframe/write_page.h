@@ -1,10 +1,10 @@
 // The page in which the tool extract_wireframe shows what it did, --html. It is compiled apart from the rest.
 
-#ifndef EXTRACT_WIREFRAME_PAGE_H
-#define EXTRACT_WIREFRAME_PAGE_H
+#ifndef EXTRACT_WIREFRAME_WRITE_PAGE_H
+#define EXTRACT_WIREFRAME_WRITE_PAGE_H
 
-#include "extract_wireframe_cloud.h"
-#include "extract_wireframe_stages.h"
+#include "Stage_recorder.h"
+#include "shown_cloud.h"
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 
@@ -45,4 +45,4 @@ bool write_page(std::ostream& stream, const Page_texts& texts, const Cloud& clou
 
 } // namespace tool
 
-#endif // EXTRACT_WIREFRAME_PAGE_H
+#endif // EXTRACT_WIREFRAME_WRITE_PAGE_H

@@ -3,11 +3,11 @@
 #ifndef EXTRACT_WIREFRAME_BATCH_PLAN_H
 #define EXTRACT_WIREFRAME_BATCH_PLAN_H
 
-#include "extract_wireframe_batch.h"
-#include "extract_wireframe_batch_files.h"
-#include "extract_wireframe_batch_list.h"
-#include "extract_wireframe_batch_progress.h"
-#include "extract_wireframe_batch_record.h"
+#include "Batch_files.h"
+#include "Batch_list.h"
+#include "Batch_progress.h"
+#include "Batch_record.h"
+#include "run_batch.h"
 
 #include <cstddef>
 #include <string>

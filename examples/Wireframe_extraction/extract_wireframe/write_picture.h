@@ -1,10 +1,10 @@
 // The picture in which the tool extract_wireframe shows the cloud and the wireframe, --png. It is compiled apart from
 // the rest.
 
-#ifndef EXTRACT_WIREFRAME_PICTURE_H
-#define EXTRACT_WIREFRAME_PICTURE_H
+#ifndef EXTRACT_WIREFRAME_WRITE_PICTURE_H
+#define EXTRACT_WIREFRAME_WRITE_PICTURE_H
 
-#include "extract_wireframe_cloud.h"
+#include "shown_cloud.h"
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 
@@ -28,4 +28,4 @@ bool write_picture(std::ostream& stream, View view, const Cloud& cloud,
 
 } // namespace tool
 
-#endif // EXTRACT_WIREFRAME_PICTURE_H
+#endif // EXTRACT_WIREFRAME_WRITE_PICTURE_H

@@ -3,8 +3,8 @@
 #ifndef EXTRACT_WIREFRAME_BATCH_RECORD_H
 #define EXTRACT_WIREFRAME_BATCH_RECORD_H
 
-#include "extract_wireframe_batch.h"
-#include "extract_wireframe_error.h"
+#include "Error.h"
+#include "run_batch.h"
 
 #include <nlohmann/json.hpp>
 

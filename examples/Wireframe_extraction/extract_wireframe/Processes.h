@@ -3,7 +3,7 @@
 #ifndef EXTRACT_WIREFRAME_PROCESSES_H
 #define EXTRACT_WIREFRAME_PROCESSES_H
 
-#include "extract_wireframe_error.h"
+#include "Error.h"
 
 #include <fcntl.h>
 #include <sys/resource.h>

@@ -1,7 +1,7 @@
-#include "extract_wireframe_picture.h"
+#include "write_picture.h"
 
-#include "extract_wireframe_canvas.h"
-#include "extract_wireframe_cloud.h"
+#include "Canvas.h"
+#include "shown_cloud.h"
 
 #include <CGAL/Wireframe_extraction/IO/internal/Sampled_wireframe.h>
 #include <CGAL/Wireframe_extraction/IO/internal/curve_tools.h>

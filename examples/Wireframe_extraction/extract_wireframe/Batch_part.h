@@ -3,7 +3,7 @@
 #ifndef EXTRACT_WIREFRAME_BATCH_PART_H
 #define EXTRACT_WIREFRAME_BATCH_PART_H
 
-#include "extract_wireframe_error.h"
+#include "Error.h"
 
 #include <algorithm>
 #include <cstddef>

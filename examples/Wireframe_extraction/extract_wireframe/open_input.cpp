@@ -1,4 +1,4 @@
-#include "extract_wireframe_input.h"
+#include "open_input.h"
 
 #include <CGAL/Wireframe_extraction/IO/Distance_cloud_file.h>
 #include <CGAL/Wireframe_extraction/IO/read_distance_cloud.h>

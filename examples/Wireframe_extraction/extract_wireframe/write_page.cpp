@@ -1,6 +1,6 @@
-#include "extract_wireframe_page.h"
+#include "write_page.h"
 
-#include "extract_wireframe_cloud.h"
+#include "shown_cloud.h"
 
 #include <CGAL/Wireframe_extraction/IO/internal/Sampled_wireframe.h>
 #include <CGAL/Wireframe_extraction/IO/internal/byte_tools.h>

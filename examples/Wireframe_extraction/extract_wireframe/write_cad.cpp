@@ -1,4 +1,4 @@
-#include "extract_wireframe_cad.h"
+#include "write_cad.h"
 
 #include <CGAL/Wireframe_extraction/IO/write_wireframe_brep.h>
 #include <CGAL/Wireframe_extraction/IO/write_wireframe_iges.h>

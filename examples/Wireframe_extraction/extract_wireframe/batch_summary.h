@@ -3,7 +3,7 @@
 #ifndef EXTRACT_WIREFRAME_BATCH_SUMMARY_H
 #define EXTRACT_WIREFRAME_BATCH_SUMMARY_H
 
-#include "extract_wireframe_batch_record.h"
+#include "Batch_record.h"
 
 #include <cstddef>
 #include <cstdint>

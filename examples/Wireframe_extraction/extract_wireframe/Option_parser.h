@@ -1,10 +1,10 @@
 // The kinds of options that the tool extract_wireframe has, on top of CLI11.
 
-#ifndef EXTRACT_WIREFRAME_PARSER_H
-#define EXTRACT_WIREFRAME_PARSER_H
+#ifndef EXTRACT_WIREFRAME_OPTION_PARSER_H
+#define EXTRACT_WIREFRAME_OPTION_PARSER_H
 
-#include "extract_wireframe_help.h"
-#include "extract_wireframe_page.h"
+#include "Help_formatter.h"
+#include "write_page.h"
 
 #include <CLI/CLI.hpp>
 
@@ -220,4 +220,4 @@ private:
 
 } // namespace tool
 
-#endif // EXTRACT_WIREFRAME_PARSER_H
+#endif // EXTRACT_WIREFRAME_OPTION_PARSER_H

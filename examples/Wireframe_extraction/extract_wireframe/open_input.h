@@ -1,7 +1,7 @@
 // The clouds that the tool extract_wireframe reads. The readers are compiled apart from the rest.
 
-#ifndef EXTRACT_WIREFRAME_INPUT_H
-#define EXTRACT_WIREFRAME_INPUT_H
+#ifndef EXTRACT_WIREFRAME_OPEN_INPUT_H
+#define EXTRACT_WIREFRAME_OPEN_INPUT_H
 
 #include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
 #include <CGAL/Wireframe_extraction/policies.h>
@@ -39,4 +39,4 @@ std::unique_ptr<Input_cloud> open_input(const Input& input, std::string& error);
 
 } // namespace tool
 
-#endif // EXTRACT_WIREFRAME_INPUT_H
+#endif // EXTRACT_WIREFRAME_OPEN_INPUT_H

@@ -1,16 +1,16 @@
 // The command line tool: a cloud with distances in, its wireframe out. See extract_wireframe --help.
 
-#include "extract_wireframe_batch.h"
-#include "extract_wireframe_cloud.h"
-#include "extract_wireframe_command_line.h"
-#include "extract_wireframe_error.h"
-#include "extract_wireframe_input.h"
-#include "extract_wireframe_options.h"
-#include "extract_wireframe_outputs.h"
-#include "extract_wireframe_page.h"
-#include "extract_wireframe_picture.h"
-#include "extract_wireframe_stages.h"
-#include "extract_wireframe_summary.h"
+#include "Command_line.h"
+#include "Error.h"
+#include "Options.h"
+#include "Output_files.h"
+#include "Stage_recorder.h"
+#include "open_input.h"
+#include "run_batch.h"
+#include "shown_cloud.h"
+#include "summary.h"
+#include "write_page.h"
+#include "write_picture.h"
 
 #include <CGAL/extract_wireframe.h>
 #include <CGAL/Wireframe_extraction/Default_visitor.h>

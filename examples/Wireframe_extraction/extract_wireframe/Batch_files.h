@@ -3,12 +3,12 @@
 #ifndef EXTRACT_WIREFRAME_BATCH_FILES_H
 #define EXTRACT_WIREFRAME_BATCH_FILES_H
 
-#include "extract_wireframe_batch.h"
-#include "extract_wireframe_batch_list.h"
-#include "extract_wireframe_batch_part.h"
-#include "extract_wireframe_batch_record.h"
-#include "extract_wireframe_batch_summary.h"
-#include "extract_wireframe_error.h"
+#include "Batch_list.h"
+#include "Batch_part.h"
+#include "Batch_record.h"
+#include "Error.h"
+#include "batch_summary.h"
+#include "run_batch.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,12 +1,12 @@
 // The files that the tool extract_wireframe writes: looked at before the work, written after it.
 
-#ifndef EXTRACT_WIREFRAME_OUTPUTS_H
-#define EXTRACT_WIREFRAME_OUTPUTS_H
+#ifndef EXTRACT_WIREFRAME_OUTPUT_FILES_H
+#define EXTRACT_WIREFRAME_OUTPUT_FILES_H
 
-#include "extract_wireframe_cad.h"
-#include "extract_wireframe_error.h"
-#include "extract_wireframe_options.h"
-#include "extract_wireframe_stages.h"
+#include "Error.h"
+#include "Options.h"
+#include "Stage_recorder.h"
+#include "write_cad.h"
 
 #include <CGAL/Wireframe_extraction/IO/internal/file_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/write_beside_and_rename.h>
@@ -255,4 +255,4 @@ inline void check_that_files_differ(const Options& options)
 
 } // namespace tool
 
-#endif // EXTRACT_WIREFRAME_OUTPUTS_H
+#endif // EXTRACT_WIREFRAME_OUTPUT_FILES_H

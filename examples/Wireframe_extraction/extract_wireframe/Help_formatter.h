@@ -1,7 +1,7 @@
 // How the tool extract_wireframe shows its options.
 
-#ifndef EXTRACT_WIREFRAME_HELP_H
-#define EXTRACT_WIREFRAME_HELP_H
+#ifndef EXTRACT_WIREFRAME_HELP_FORMATTER_H
+#define EXTRACT_WIREFRAME_HELP_FORMATTER_H
 
 #include <CLI/CLI.hpp>
 
@@ -54,4 +54,4 @@ private:
 
 } // namespace tool
 
-#endif // EXTRACT_WIREFRAME_HELP_H
+#endif // EXTRACT_WIREFRAME_HELP_FORMATTER_H

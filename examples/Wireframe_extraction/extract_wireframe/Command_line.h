@@ -3,9 +3,9 @@
 #ifndef EXTRACT_WIREFRAME_COMMAND_LINE_H
 #define EXTRACT_WIREFRAME_COMMAND_LINE_H
 
-#include "extract_wireframe_effects.h"
-#include "extract_wireframe_options.h"
-#include "extract_wireframe_parser.h"
+#include "Option_parser.h"
+#include "Options.h"
+#include "check_effects.h"
 
 #include <CGAL/Wireframe_extraction/IO/internal/text_tools.h>
 #include <CGAL/Wireframe_extraction/parameters.h>

@@ -1,7 +1,7 @@
 // Coloured points and edges, which show what a stage made.
 
-#ifndef EXTRACT_WIREFRAME_GEOMETRY_H
-#define EXTRACT_WIREFRAME_GEOMETRY_H
+#ifndef EXTRACT_WIREFRAME_COLOURED_GEOMETRY_H
+#define EXTRACT_WIREFRAME_COLOURED_GEOMETRY_H
 
 #include <CGAL/Wireframe_extraction/IO/internal/byte_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/write_beside_and_rename.h>
@@ -156,4 +156,4 @@ private:
 
 } // namespace tool
 
-#endif // EXTRACT_WIREFRAME_GEOMETRY_H
+#endif // EXTRACT_WIREFRAME_COLOURED_GEOMETRY_H

@@ -1,9 +1,9 @@
 // Records the result of each stage: as a coloured PLY file, for MeshLab and CloudCompare, and for the page of --html.
 
-#ifndef EXTRACT_WIREFRAME_STAGES_H
-#define EXTRACT_WIREFRAME_STAGES_H
+#ifndef EXTRACT_WIREFRAME_STAGE_RECORDER_H
+#define EXTRACT_WIREFRAME_STAGE_RECORDER_H
 
-#include "extract_wireframe_geometry.h"
+#include "Coloured_geometry.h"
 
 #include <CGAL/Wireframe_extraction/IO/internal/Sampled_wireframe.h>
 
@@ -285,4 +285,4 @@ private:
 
 } // namespace tool
 
-#endif // EXTRACT_WIREFRAME_STAGES_H
+#endif // EXTRACT_WIREFRAME_STAGE_RECORDER_H

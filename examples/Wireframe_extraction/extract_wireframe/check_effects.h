@@ -1,9 +1,9 @@
 // Which options of the tool extract_wireframe have no effect without others.
 
-#ifndef EXTRACT_WIREFRAME_EFFECTS_H
-#define EXTRACT_WIREFRAME_EFFECTS_H
+#ifndef EXTRACT_WIREFRAME_CHECK_EFFECTS_H
+#define EXTRACT_WIREFRAME_CHECK_EFFECTS_H
 
-#include "extract_wireframe_options.h"
+#include "Options.h"
 
 #include <CGAL/Wireframe_extraction/IO/internal/file_tools.h>
 #include <CGAL/Wireframe_extraction/policies.h>
@@ -77,4 +77,4 @@ inline void check_effects(const CLI::App& app, const Options& options)
 
 } // namespace tool
 
-#endif // EXTRACT_WIREFRAME_EFFECTS_H
+#endif // EXTRACT_WIREFRAME_CHECK_EFFECTS_H

@@ -1,8 +1,8 @@
-#include "extract_wireframe_batch.h"
+#include "run_batch.h"
 
 #ifdef _WIN32
 
-#include "extract_wireframe_error.h"
+#include "Error.h"
 
 namespace tool {
 
@@ -18,17 +18,17 @@ int run_batch(const Batch_options&, const Extract_cloud&)
 
 #else
 
-#include "extract_wireframe_batch_files.h"
-#include "extract_wireframe_batch_list.h"
-#include "extract_wireframe_batch_lock.h"
-#include "extract_wireframe_batch_part.h"
-#include "extract_wireframe_batch_plan.h"
-#include "extract_wireframe_batch_progress.h"
-#include "extract_wireframe_batch_record.h"
-#include "extract_wireframe_batch_result.h"
-#include "extract_wireframe_batch_summary.h"
-#include "extract_wireframe_error.h"
-#include "extract_wireframe_processes.h"
+#include "Batch_files.h"
+#include "Batch_list.h"
+#include "Batch_lock.h"
+#include "Batch_part.h"
+#include "Batch_plan.h"
+#include "Batch_progress.h"
+#include "Batch_record.h"
+#include "Error.h"
+#include "Processes.h"
+#include "batch_result.h"
+#include "batch_summary.h"
 
 #include <CGAL/Wireframe_extraction/IO/internal/write_beside_and_rename.h>
 

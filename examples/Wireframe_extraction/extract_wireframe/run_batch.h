@@ -1,8 +1,8 @@
 // Many clouds, one after the other and several at once, each in a process of its own. It is compiled apart from the
 // extraction, which it calls back for one cloud.
 
-#ifndef EXTRACT_WIREFRAME_BATCH_H
-#define EXTRACT_WIREFRAME_BATCH_H
+#ifndef EXTRACT_WIREFRAME_RUN_BATCH_H
+#define EXTRACT_WIREFRAME_RUN_BATCH_H
 
 #include <cstddef>
 #include <functional>
@@ -46,4 +46,4 @@ int run_batch(const Batch_options& options, const Extract_cloud& extract);
 
 } // namespace tool
 
-#endif // EXTRACT_WIREFRAME_BATCH_H
+#endif // EXTRACT_WIREFRAME_RUN_BATCH_H

@@ -3,7 +3,7 @@
 #ifndef EXTRACT_WIREFRAME_SUMMARY_H
 #define EXTRACT_WIREFRAME_SUMMARY_H
 
-#include "extract_wireframe_options.h"
+#include "Options.h"
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>

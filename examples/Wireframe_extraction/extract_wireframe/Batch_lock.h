@@ -3,7 +3,7 @@
 #ifndef EXTRACT_WIREFRAME_BATCH_LOCK_H
 #define EXTRACT_WIREFRAME_BATCH_LOCK_H
 
-#include "extract_wireframe_error.h"
+#include "Error.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

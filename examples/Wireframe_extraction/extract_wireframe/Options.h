@@ -3,9 +3,9 @@
 #ifndef EXTRACT_WIREFRAME_OPTIONS_H
 #define EXTRACT_WIREFRAME_OPTIONS_H
 
-#include "extract_wireframe_batch.h"
-#include "extract_wireframe_input.h"
-#include "extract_wireframe_picture.h"
+#include "open_input.h"
+#include "run_batch.h"
+#include "write_picture.h"
 
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
