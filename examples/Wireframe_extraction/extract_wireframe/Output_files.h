@@ -5,12 +5,13 @@
 
 #include "Error.h"
 #include "Options.h"
-#include "Stage_recorder.h"
-#include "write_cad.h"
+#include "Stage_folder.h"
+#include "write_in_format.h"
+#include "write_page.h"
+#include "write_picture.h"
 
 #include <CGAL/Wireframe_extraction/IO/internal/file_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/write_beside_and_rename.h>
-#include <CGAL/Wireframe_extraction/IO/write_wireframe.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 
 #include <cstddef>
@@ -35,7 +36,6 @@ template <class GeomTraits>
 class Output_files
 {
   typedef CGAL::Wireframe<GeomTraits> Wireframe;
-  typedef bool (*Writer)(std::ostream&, const Wireframe&, const Options&, std::string&);
 
 public:
   explicit Output_files(const Options& options) : m_options(options), m_names(options.outputs) {}
@@ -59,7 +59,7 @@ public:
   static void check_extension(const std::string& name)
   {
     const std::string extension = CGAL::IO::internal::lower_extension(name);
-    if(writers().count(extension) == 0)
+    if(!has_format(extension))
       throw Error(USAGE_ERROR, name + ": " + why_unknown(extension));
   }
 
@@ -70,7 +70,7 @@ public:
     for(const std::string& name : m_names)
       files.push_back({ name, [this, &name, &wireframe](std::ostream& stream, std::string& error)
       {
-        return writers().at(CGAL::IO::internal::lower_extension(name))(stream, wireframe, m_options, error);
+        return write_in_format(CGAL::IO::internal::lower_extension(name), stream, wireframe, m_options, error);
       } });
     files.insert(files.end(), pictures.begin(), pictures.end());
     std::string error;
@@ -112,69 +112,6 @@ private:
       throw Error(USAGE_ERROR, m_options.png + ": this extract_wireframe was built without libpng, which --png needs; "
                                "install it (Debian: libpng-dev) and build again");
     check_writable(m_options.png);
-  }
-
-  static const std::map<std::string, Writer>& writers()
-  {
-    namespace parameters = CGAL::Wireframe_extraction::parameters;
-    const Writer polylines = [](std::ostream& stream, const Wireframe& wireframe, const Options&, std::string& error)
-    {
-      return CGAL::IO::write_wireframe_polylines(stream, wireframe, parameters::error_message(&error));
-    };
-#ifdef EXTRACT_WIREFRAME_WITH_CAD
-    const Writer step = [](std::ostream& stream, const Wireframe& wireframe, const Options& options,
-                           std::string& error)
-    {
-      return write_cad(".step", stream, wireframe, options.unit, options.step_schema, error);
-    };
-    const Writer iges = [](std::ostream& stream, const Wireframe& wireframe, const Options& options,
-                           std::string& error)
-    {
-      return write_cad(".iges", stream, wireframe, options.unit, options.step_schema, error);
-    };
-    const Writer brep = [](std::ostream& stream, const Wireframe& wireframe, const Options& options,
-                           std::string& error)
-    {
-      return write_cad(".brep", stream, wireframe, options.unit, options.step_schema, error);
-    };
-#endif
-    const Writer gltf = [](std::ostream& stream, const Wireframe& wireframe, const Options& options, std::string& error)
-    {
-      return CGAL::IO::write_wireframe_gltf(stream, wireframe, parameters::error_message(&error).unit(options.unit));
-    };
-    const Writer glb = [](std::ostream& stream, const Wireframe& wireframe, const Options& options, std::string& error)
-    {
-      return CGAL::IO::write_wireframe_gltf(
-        stream, wireframe, parameters::error_message(&error).unit(options.unit).use_binary_mode(true));
-    };
-    static const std::map<std::string, Writer> all = {
-#ifdef EXTRACT_WIREFRAME_WITH_CAD
-      { ".step", step }, { ".stp", step }, { ".iges", iges }, { ".igs", iges }, { ".brep", brep },
-#endif
-      { ".json", [](std::ostream& stream, const Wireframe& wireframe, const Options&, std::string& error)
-        { return CGAL::IO::write_wireframe_json(stream, wireframe, parameters::error_message(&error)); } },
-      { ".obj", [](std::ostream& stream, const Wireframe& wireframe, const Options& options, std::string& error)
-        { return CGAL::IO::write_wireframe_obj(
-            stream, wireframe, parameters::error_message(&error).obj_splines(options.has_obj_splines)); } },
-      { ".ply", [](std::ostream& stream, const Wireframe& wireframe, const Options&, std::string& error)
-        { return CGAL::IO::write_wireframe_ply(stream, wireframe, parameters::error_message(&error)); } },
-      { ".dxf", [](std::ostream& stream, const Wireframe& wireframe, const Options& options, std::string& error)
-        { return CGAL::IO::write_wireframe_dxf(
-            stream, wireframe, parameters::error_message(&error).unit(options.unit)); } },
-      { ".vtp", [](std::ostream& stream, const Wireframe& wireframe, const Options& options, std::string& error)
-        { return CGAL::IO::write_wireframe_vtp(
-            stream, wireframe, parameters::error_message(&error).unit(options.unit)); } },
-      { ".gltf", gltf },
-      { ".glb", glb },
-      { ".svg", [](std::ostream& stream, const Wireframe& wireframe, const Options& options, std::string& error)
-        { return CGAL::IO::write_wireframe_svg(
-            stream, wireframe, parameters::error_message(&error).unit(options.unit)); } },
-      { ".csv", [](std::ostream& stream, const Wireframe& wireframe, const Options&, std::string& error)
-        { return CGAL::IO::write_wireframe_csv(stream, wireframe, parameters::error_message(&error)); } },
-      { ".txt", polylines },
-      { ".cgal", polylines }
-    };
-    return all;
   }
 
   static void check_writable(const std::string& name)

@@ -46,7 +46,7 @@ typedef CGAL::IO::internal::Coordinates Coordinates;
 typedef nlohmann::json Json;
 
 // more points than this are thinned out: they would make the page large, and none of them is missed
-const std::size_t most_cloud_points = 1000000, most_stage_points = 150000;
+const std::size_t most_stage_points = 150000;
 
 // Where the cloud is. On the page, positions are relative to it, so that single precision is enough.
 class Frame
@@ -299,10 +299,9 @@ bool write_page(std::ostream& stream, const Page_texts& texts, const Cloud& clou
     error = "the cloud is too large or too small to be drawn; scale it";
     return false;
   }
-  const std::size_t number_of_points = indices.size();
-  thin(indices, most_cloud_points);
+  shuffle(indices);
   Json json = json_of_texts(texts);
-  json["number_of_points"] = number_of_points;
+  json["number_of_points"] = indices.size();
   json["sampling_distance"] = CGAL::to_double(wireframe.sampling_distance);
   json["center"] = frame.center();
   json["size"] = frame.size();

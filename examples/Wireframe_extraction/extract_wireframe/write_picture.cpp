@@ -49,7 +49,6 @@ typedef CGAL::IO::internal::Coordinates Coordinates;
 typedef CGAL::IO::internal::Spline_vector Vector;
 
 const double picture_width = 1200., picture_height = 900., margin = 40.;
-const std::size_t most_points = 1000000;   // as many as there are pixels
 
 // Points in space to pixels, at the largest scale at which all are in the picture.
 class Projection
@@ -213,7 +212,7 @@ bool write_picture(std::ostream& stream, View view, const Cloud& cloud, const CG
     error = "the cloud is too large or too small to be drawn; scale it";
     return false;
   }
-  thin(indices, most_points);
+  shuffle(indices);
   Canvas canvas(static_cast<std::size_t>(picture_width), static_cast<std::size_t>(picture_height),
                 { { 0.965f, 0.973f, 0.984f } });
   draw_cloud(cloud, indices, projection, CGAL::to_double(wireframe.sampling_distance), canvas);
