@@ -10,8 +10,8 @@
 // Author(s)     : The Wireframe_extraction authors
 
 
-#ifndef SAMPLE_SOLIDS_SHAPES_H
-#define SAMPLE_SOLIDS_SHAPES_H
+#ifndef SAMPLE_SOLIDS_MAKE_SOLID_H
+#define SAMPLE_SOLIDS_MAKE_SOLID_H
 
 #include <Sample_solids/Profile.h>
 
@@ -414,4 +414,4 @@ inline Solid make_solid(const std::string& name, const Solid_options& options = 
 
 } // namespace Sample_solids
 
-#endif // SAMPLE_SOLIDS_SHAPES_H
+#endif // SAMPLE_SOLIDS_MAKE_SOLID_H

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef WIREFRAME_PERFORMANCE_CASE_H
-#define WIREFRAME_PERFORMANCE_CASE_H
+#ifndef WIREFRAME_PERFORMANCE_TIMED_CLOUD_H
+#define WIREFRAME_PERFORMANCE_TIMED_CLOUD_H
 
 #include <Sample_solids/Sample_solids.h>
 
@@ -21,13 +21,13 @@
 namespace Wireframe_performance {
 
 /// a cloud that times are measured on
-struct Case
+struct Timed_cloud
 {
   std::string shape;
   Sample_solids::Field_kind field = Sample_solids::Field_kind::EXACT;
   std::size_t points = 0;
 
-  bool operator==(const Case& other) const
+  bool operator==(const Timed_cloud& other) const
   {
     return shape == other.shape && field == other.field && points == other.points;
   }
@@ -60,7 +60,7 @@ inline Sample_solids::Solid solid_of(const std::string& shape)
 }
 
 /// Poisson-disk points take too long where they are many.
-inline Sample_solids::Cloud sample(const Case& c)
+inline Sample_solids::Cloud sample(const Timed_cloud& c)
 {
   const Sample_solids::Solid solid = solid_of(c.shape);
   Sample_solids::Sampling_options options;
@@ -72,4 +72,4 @@ inline Sample_solids::Cloud sample(const Case& c)
 
 } // namespace Wireframe_performance
 
-#endif // WIREFRAME_PERFORMANCE_CASE_H
+#endif // WIREFRAME_PERFORMANCE_TIMED_CLOUD_H

@@ -10,8 +10,8 @@
 // Author(s)     : The Wireframe_extraction authors
 
 
-#ifndef SAMPLE_SOLIDS_OUTPUT_H
-#define SAMPLE_SOLIDS_OUTPUT_H
+#ifndef SAMPLE_SOLIDS_WRITE_CASE_H
+#define SAMPLE_SOLIDS_WRITE_CASE_H
 
 #include <Sample_solids/Ground_truth.h>
 #include <Sample_solids/field_error.h>
@@ -24,33 +24,6 @@
 #include <vector>
 
 namespace Sample_solids {
-
-/// multiplies all lengths of a cloud by `s`.
-inline void scale(Cloud& cloud, double s)
-{
-  cloud.sampling_distance *= s;
-  for (Point& p : cloud.points)
-    p = s * p;
-  for (double& d : cloud.distances)
-    d *= s;
-  for (double& d : cloud.exact_distances)
-    d *= s;
-}
-
-/// multiplies all lengths of a ground truth by `s`.
-inline void scale(Ground_truth& truth, double s)
-{
-  truth.sampling_distance *= s;
-  for (std::vector<True_curve>* list : {&truth.curves, &truth.segments})
-    for (True_curve& curve : *list)
-    {
-      curve.length *= s;
-      for (Point& p : curve.points)
-        p = s * p;
-    }
-  for (Point& p : truth.corners)
-    p = s * p;
-}
 
 namespace internal {
 
@@ -166,4 +139,4 @@ inline bool write_truth(std::ostream& out, const Ground_truth& truth, const std:
 
 } // namespace Sample_solids
 
-#endif // SAMPLE_SOLIDS_OUTPUT_H
+#endif // SAMPLE_SOLIDS_WRITE_CASE_H
