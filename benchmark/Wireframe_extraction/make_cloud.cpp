@@ -1,11 +1,11 @@
 // Makes clouds with exact ground truth from closed-form solids.
 
+#include <Case_maker/number_check.h>
 #include <Sample_solids/Sample_solids.h>
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
@@ -18,14 +18,10 @@
 #include <string>
 #include <vector>
 
-// the build tells the version of the package
-#ifndef WIREFRAME_EXTRACTION_VERSION_STRING
-#define WIREFRAME_EXTRACTION_VERSION_STRING "unknown"
-#endif
-
 namespace {
 
 using namespace Sample_solids;
+using Case_maker::number_check;
 namespace fs = std::filesystem;
 
 const std::size_t most_points = 100000000;
@@ -47,11 +43,6 @@ struct Arguments
 
   bool is_one_file() const { return fs::path(output).extension() == ".ply"; }
 };
-
-Field_kind field_kind(const std::string& name)
-{
-  return name == "exact" ? Field_kind::EXACT : name == "def" ? Field_kind::DEF : Field_kind::NOISY;
-}
 
 std::string names_of_solids()
 {
@@ -205,7 +196,7 @@ std::size_t write_clouds(const Arguments& a, const Solid& solid, const Sampling_
   for (std::size_t i = 0; i < paths.size(); ++i)
   {
     Cloud cloud = exact;
-    const Field_kind kind = field_kind(a.fields[i]);
+    const Field_kind kind = field_kind_of(a.fields[i]);
     disturb(cloud, kind, kind == Field_kind::NOISY ? a.position_noise : 0., a.seed);
     const Field_statistics statistics = field_statistics(cloud);
     scale(cloud, a.scale);
@@ -238,19 +229,6 @@ void run(Arguments a)
     });
 }
 
-/// CLI11's own checks let through what is not a number, and infinities.
-CLI::Validator number_check(bool is_zero_allowed)
-{
-  return CLI::Validator([is_zero_allowed](std::string& text)
-  {
-    double x = 0;
-    const bool is_number = CLI::detail::lexical_cast(text, x) && std::isfinite(x);
-    if (is_number && (x > 0 || (is_zero_allowed && x == 0)))
-      return std::string();
-    return "'" + text + "' is not a " + (is_zero_allowed ? "number of 0 or more" : "positive number");
-  }, "");
-}
-
 std::string check_seed(const std::string& text)
 {
   const bool is_whole = !text.empty() && text.size() <= 19
@@ -271,7 +249,7 @@ void add_options(CLI::App& app, Arguments& a)
   app.add_option("--fields", a.fields, "with a directory: the fields, separated by commas; default all three")
     ->delimiter(',')->check(CLI::IsMember({"exact", "def", "noisy"}));
   CLI::Option* r = app.add_option("--r", a.sampling_distance, "sampling distance, before scaling")
-    ->capture_default_str()->check(number_check(false));
+    ->capture_default_str()->check(number_check());
   app.add_option("--points", a.points, "number of points; the sampling distance follows from it")
     ->excludes(r)->check(CLI::Range(std::size_t(50), most_points));
   app.add_option("--sampling", a.sampling, "Poisson-disk or uniformly random points; uniform ones "
@@ -281,7 +259,7 @@ void add_options(CLI::App& app, Arguments& a)
                                            "faces adjacent to it, or all")
     ->capture_default_str()->check(CLI::IsMember({"adjacent", "all"}));
   app.add_option("--truncate", a.truncation, "upper bound of the field, in sampling distances")
-    ->capture_default_str()->check(number_check(false));
+    ->capture_default_str()->check(number_check());
   app.add_option("--position-noise", a.position_noise,
                  "by how much the noisy field's points are moved: the standard deviation per coordinate, in "
                  "sampling distances")
@@ -291,7 +269,7 @@ void add_options(CLI::App& app, Arguments& a)
   app.add_option("--radius", a.radius, "of the rounded plate's corners, in sampling distances")
     ->capture_default_str()->check(CLI::Range(0.1, 10.));
   app.add_option("--scale", a.scale, "multiplies all lengths, the sampling distance too")
-    ->capture_default_str()->check(number_check(false));
+    ->capture_default_str()->check(number_check());
   app.add_option("--seed", a.seed, "of the random numbers, a whole number")
     ->capture_default_str()->check(CLI::Validator(check_seed, ""));
   app.add_flag("--force", a.is_forced, "overwrite existing files");

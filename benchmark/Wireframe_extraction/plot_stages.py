@@ -96,75 +96,96 @@ class Stage_figure:
         plt.close(self.figure)
 
 
-def draw_stages(folder, cloud, distances, splines, typed, make, output):
-    """Draws all stages; `make` gives an empty figure."""
+def positions(rows):
+    return np.column_stack([rows[key] for key in "xyz"])
+
+
+def segments(vertices, edges):
+    return positions(vertices)[np.column_stack([edges["vertex1"], edges["vertex2"]])]
+
+
+class Stage_pictures:
+    """Draws a picture per stage; `make_figure` gives an empty figure."""
+
+    def __init__(self, stages, cloud, make_figure, output):
+        self.stages, self.cloud, self.make_figure, self.output = stages, cloud, make_figure, output
+
+    def figure_on_cloud(self):
+        figure = self.make_figure()
+        figure.points(self.cloud, GREY, (0.25, 1.5))
+        return figure
+
+    def draw_skeleton(self, distances, r):
+        vertices, _ = read_stage(self.stages / "1_skeleton.ply")
+        figure = self.make_figure()
+        figure.points(self.cloud[distances >= 3 * r], GREY, (0.25, 3))
+        drawn = figure.points(positions(vertices), vertices["scalar_distance"] / r, (2, 22),
+                              cmap="viridis", vmin=0, vmax=1.5)
+        figure.bar(drawn, "distance, in r")
+        figure.save(self.output / "stage_skeleton.png")
+
+    def draw_contraction(self, r):
+        vertices, _ = read_stage(self.stages / "2_feet.ply")
+        figure = self.figure_on_cloud()
+        drawn = figure.points(positions(vertices), vertices["scalar_residual"] / r, (2, 14),
+                              cmap="plasma", vmin=0, vmax=0.6)
+        figure.bar(drawn, "residual, in r")
+        figure.save(self.output / "stage_contraction.png")
+
+    def draw_corners(self):
+        vertices, edges = read_stage(self.stages / "3_corners.ply")
+        figure = self.figure_on_cloud()
+        is_ball = np.zeros(len(vertices), dtype=bool)
+        is_ball[edges["vertex1"]] = is_ball[edges["vertex2"]] = True
+        figure.points(positions(vertices[~is_ball]), colors_of(vertices[~is_ball]), (2, 14))
+        figure.lines(segments(vertices, edges), "tab:red", (0.5, 0.9))
+        figure.save(self.output / "stage_corners.png")
+
+    def draw_clusters(self):
+        vertices, _ = read_stage(self.stages / "4_clusters.ply")
+        figure = self.figure_on_cloud()
+        figure.points(positions(vertices), colors_of(vertices), (2, 14))
+        figure.save(self.output / "stage_clusters.png")
+
+    def draw_graph(self):
+        vertices, edges = read_stage(self.stages / "5_graph.ply")
+        figure = self.figure_on_cloud()
+        figure.lines(segments(vertices, edges), colors_of(edges))
+        is_corner = vertices["scalar_corner"] > 0
+        figure.points(positions(vertices[~is_corner]), "0.3", (2, 10), zorder=3)
+        figure.points(positions(vertices[is_corner]), "tab:red", (14, 60), zorder=4)
+        figure.save(self.output / "stage_graph.png")
+
+    def draw_curves(self, splines):
+        palette = plt.get_cmap("tab10")
+        figure = self.figure_on_cloud()
+        for i, curve in enumerate(splines["curves"]):
+            controls = np.array(curve["control_points"], dtype=float)
+            figure.lines([controls], "0.5", (0, 0.7), linestyles="dotted")
+            figure.points(controls, "0.5", (0, 16), marker="s", zorder=3)
+            figure.lines([sample(curve)], [palette(i % 10)])
+        figure.points(np.array(splines["vertices"]), "black", (8, 40), zorder=4)
+        figure.save(self.output / "stage_curves.png")
+
+    def draw_types(self, typed):
+        figure = self.figure_on_cloud()
+        present = {curve["type"] for curve in typed["curves"]}
+        for curve in typed["curves"]:
+            figure.lines([sample(curve)], TYPE_COLORS[curve["type"]], (1.6, 2.6))
+        figure.points(np.array(typed["vertices"]), "black", (8, 40), zorder=4)
+        figure.legend({name: color for name, color in TYPE_COLORS.items() if name in present})
+        figure.save(self.output / "stage_types.png")
+
+
+def draw_stages(pictures, distances, splines, typed):
     r = typed["sampling_distance"]
-
-    def positions(rows):
-        return np.column_stack([rows[key] for key in "xyz"])
-
-    def background(figure):
-        figure.points(cloud, GREY, (0.25, 1.5))
-
-    vertices, _ = read_stage(folder / "1_skeleton.ply")
-    figure = make()
-    figure.points(cloud[distances >= 3 * r], GREY, (0.25, 3))
-    drawn = figure.points(positions(vertices), vertices["scalar_distance"] / r, (2, 22),
-                          cmap="viridis", vmin=0, vmax=1.5)
-    figure.bar(drawn, "distance, in r")
-    figure.save(output / "stage_skeleton.png")
-
-    vertices, _ = read_stage(folder / "2_feet.ply")
-    figure = make()
-    background(figure)
-    drawn = figure.points(positions(vertices), vertices["scalar_residual"] / r, (2, 14),
-                          cmap="plasma", vmin=0, vmax=0.6)
-    figure.bar(drawn, "residual, in r")
-    figure.save(output / "stage_contraction.png")
-
-    vertices, edges = read_stage(folder / "3_corners.ply")
-    figure = make()
-    background(figure)
-    is_ball = np.zeros(len(vertices), dtype=bool)
-    is_ball[edges["vertex1"]] = is_ball[edges["vertex2"]] = True
-    figure.points(positions(vertices[~is_ball]), colors_of(vertices[~is_ball]), (2, 14))
-    figure.lines(positions(vertices)[np.column_stack([edges["vertex1"], edges["vertex2"]])], "tab:red", (0.5, 0.9))
-    figure.save(output / "stage_corners.png")
-
-    vertices, _ = read_stage(folder / "4_clusters.ply")
-    figure = make()
-    background(figure)
-    figure.points(positions(vertices), colors_of(vertices), (2, 14))
-    figure.save(output / "stage_clusters.png")
-
-    vertices, edges = read_stage(folder / "5_graph.ply")
-    figure = make()
-    background(figure)
-    figure.lines(positions(vertices)[np.column_stack([edges["vertex1"], edges["vertex2"]])], colors_of(edges))
-    is_corner = vertices["scalar_corner"] > 0
-    figure.points(positions(vertices[~is_corner]), "0.3", (2, 10), zorder=3)
-    figure.points(positions(vertices[is_corner]), "tab:red", (14, 60), zorder=4)
-    figure.save(output / "stage_graph.png")
-
-    palette = plt.get_cmap("tab10")
-    figure = make()
-    background(figure)
-    for i, curve in enumerate(splines["curves"]):
-        controls = np.array(curve["control_points"], dtype=float)
-        figure.lines([controls], "0.5", (0, 0.7), linestyles="dotted")
-        figure.points(controls, "0.5", (0, 16), marker="s", zorder=3)
-        figure.lines([sample(curve)], [palette(i % 10)])
-    figure.points(np.array(splines["vertices"]), "black", (8, 40), zorder=4)
-    figure.save(output / "stage_curves.png")
-
-    figure = make()
-    background(figure)
-    present = {curve["type"] for curve in typed["curves"]}
-    for curve in typed["curves"]:
-        figure.lines([sample(curve)], TYPE_COLORS[curve["type"]], (1.6, 2.6))
-    figure.points(np.array(typed["vertices"]), "black", (8, 40), zorder=4)
-    figure.legend({name: color for name, color in TYPE_COLORS.items() if name in present})
-    figure.save(output / "stage_types.png")
+    pictures.draw_skeleton(distances, r)
+    pictures.draw_contraction(r)
+    pictures.draw_corners()
+    pictures.draw_clusters()
+    pictures.draw_graph()
+    pictures.draw_curves(splines)
+    pictures.draw_types(typed)
 
 
 def main():
@@ -191,9 +212,11 @@ def main():
         index = int(np.argmax(vertices @ rows[2])) if arguments.vertex is None else arguments.vertex
         if not 0 <= index < len(vertices):
             raise ValueError(f"there is no vertex {index}; there are {len(vertices)}, counted from 0")
-        draw_stages(arguments.stages, cloud, distances, splines, typed,
-                    lambda: Stage_figure(rows, cloud, vertices[index], arguments.reach, typed["sampling_distance"]),
-                    arguments.output)
+        pictures = Stage_pictures(
+            arguments.stages, cloud,
+            lambda: Stage_figure(rows, cloud, vertices[index], arguments.reach, typed["sampling_distance"]),
+            arguments.output)
+        draw_stages(pictures, distances, splines, typed)
     except (OSError, ValueError, KeyError) as error:
         print(f"plot_stages.py: {error}", file=sys.stderr)
         return 1

@@ -1,29 +1,26 @@
 // Runs the tool on all cases under a folder, and says how good the results are. See run_benchmark --help.
 
+#include <Wireframe_benchmark/Temporary_folder.h>
 #include <Wireframe_benchmark/compare_rows.h>
 #include <Wireframe_benchmark/csv.h>
 #include <Wireframe_benchmark/find_cases.h>
+#include <Wireframe_benchmark/find_program.h>
 #include <Wireframe_benchmark/report.h>
 #include <Wireframe_benchmark/run_cases.h>
 #include <Wireframe_evaluation/one_line.h>
 
 #include <CLI/CLI.hpp>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <csignal>
-#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace {
@@ -53,58 +50,6 @@ struct Arguments
 volatile std::sig_atomic_t is_stopped = 0;
 
 void stop(int) { is_stopped = 1; }
-
-/// A folder for files that are gone in the end.
-class Temporary_folder
-{
-public:
-  Temporary_folder()
-  {
-    std::string name = (fs::temp_directory_path() / "run_benchmark_XXXXXX").string();
-    if (mkdtemp(&name[0]) == nullptr)
-      throw Error(INTERNAL_ERROR, "no folder for temporary files can be made in '"
-                                  + fs::temp_directory_path().string() + "'");
-    m_path = name;
-  }
-
-  ~Temporary_folder()
-  {
-    std::error_code ignored;
-    fs::remove_all(m_path, ignored);
-  }
-
-  Temporary_folder(const Temporary_folder&) = delete;
-  Temporary_folder& operator=(const Temporary_folder&) = delete;
-
-  const fs::path& path() const { return m_path; }
-
-private:
-  fs::path m_path;
-};
-
-bool is_program(const fs::path& path)
-{
-  return fs::is_regular_file(path) && access(path.c_str(), X_OK) == 0;
-}
-
-bool is_found(const std::string& program)
-{
-  if (program.find('/') != std::string::npos)
-    return is_program(program);
-  const char* const paths = std::getenv("PATH");
-  std::istringstream folders(paths == nullptr ? "" : paths);
-  for (std::string folder; std::getline(folders, folder, ':');)
-    if (is_program(fs::path(folder.empty() ? "." : folder) / program))
-      return true;
-  return false;
-}
-
-fs::path own_folder(const char* program)
-{
-  std::error_code error;
-  const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  return error ? fs::absolute(program).parent_path() : self.parent_path();
-}
 
 Tool_command tool_command(const Arguments& a, const char* program)
 {

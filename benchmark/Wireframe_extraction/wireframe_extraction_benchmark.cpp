@@ -24,13 +24,13 @@
 
 namespace {
 
-using Wireframe_performance::Case;
+using Wireframe_performance::Timed_cloud;
 using Wireframe_performance::Memory_meter;
 using Wireframe_performance::Pipeline;
 using Sample_solids::Field_kind;
 
 // Benchmarks of one cloud are run one after the other; only this cloud is in memory.
-const Pipeline& pipeline_of(const Case& c)
+const Pipeline& pipeline_of(const Timed_cloud& c)
 {
   static std::unique_ptr<Pipeline> pipeline;
   if (!pipeline || !(pipeline->of() == c)) {
@@ -72,7 +72,7 @@ std::vector<Stage> stages()
           {"all", stage_of(&Pipeline::all), true}};
 }
 
-void measure(benchmark::State& state, const Case& c, const Stage& stage, int threads)
+void measure(benchmark::State& state, const Timed_cloud& c, const Stage& stage, int threads)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
@@ -97,12 +97,12 @@ void measure(benchmark::State& state, const Case& c, const Stage& stage, int thr
 }
 
 // The ratio of the skeleton to the cloud is low for the box and high for the gear.
-std::vector<Case> cases(std::size_t least, std::size_t most)
+std::vector<Timed_cloud> cases(std::size_t least, std::size_t most)
 {
-  std::vector<Case> result;
+  std::vector<Timed_cloud> result;
   const auto add = [&](const char* shape, Field_kind field, std::size_t points) {
     if (least <= points && points <= most)
-      result.push_back(Case{shape, field, points});
+      result.push_back(Timed_cloud{shape, field, points});
   };
   for (const char* shape : {"box", "box_with_hole", "gear"})
     for (Field_kind field : {Field_kind::EXACT, Field_kind::DEF})
@@ -115,7 +115,7 @@ std::vector<Case> cases(std::size_t least, std::size_t most)
 
 void add_benchmarks(std::size_t least, std::size_t most)
 {
-  for (const Case& c : cases(least, most))
+  for (const Timed_cloud& c : cases(least, most))
     for (const Stage& stage : stages())
       for (int threads = 1; threads <= (stage.has_threads ? 2 : 1); ++threads)
         benchmark::RegisterBenchmark(

@@ -10,11 +10,8 @@ import json
 import math
 import pathlib
 import shutil
-import subprocess
-import sys
-import unittest
 
-from case_test import SUCCESS, USAGE_ERROR, BAD_INPUT, NO_SHARP_CURVE, Case_test, read_cloud
+from program_test import BAD_INPUT, NO_FEATURE, SUCCESS, USAGE_ERROR, Program_test, main, read_cloud
 
 DATA = pathlib.Path(__file__).resolve().parent / "data" / "abc_style"
 MESH, FEATURES = DATA / "channel.obj", DATA / "channel.yml"
@@ -34,7 +31,7 @@ def spacings(cloud, r):
                 if i != j) for i, p in enumerate(cloud)]
 
 
-class Abc_case_test(Case_test):
+class Abc_case_test(Program_test):
     def make(self, *arguments):
         self.run_tool(MESH, FEATURES, "-o", self.folder, *arguments)
         case = self.folder / "channel"
@@ -117,8 +114,7 @@ class Abc_case_test(Case_test):
                 self.assertAlmostEqual(d, min(y, 2 - y, z, 1.2 - z, math.hypot(0.1, z - 0.4), 7 * R / scale), delta=1e-4)
 
     def test_fields(self):
-        truth, exact = self.make(*SMALL)
-        scale = {}
+        _, exact = self.make(*SMALL)
         for field, share, moved in (("def", 0.2, 0), ("noisy", 0.35, 0.25)):
             cloud = read_cloud(self.folder / "channel" / (field + ".ply"))
             self.assertEqual(len(cloud), len(exact))
@@ -143,8 +139,7 @@ class Abc_case_test(Case_test):
         self.assertAlmostEqual(sum(found) / len(found), R, delta=0.05 * R)
         message = self.run_tool(MESH, FEATURES, "-o", self.folder, "--max-points", "2000", "--force")
         self.assertIn("coarser", message)
-        result = subprocess.run([self.tool, MESH, FEATURES, "-o", self.folder / "other", "--max-points", "2000", "--too-many",
-                                 "skip"], stderr=subprocess.PIPE, universal_newlines=True)
+        result = self.execute(self.folder, MESH, FEATURES, "-o", "other", "--max-points", "2000", "--too-many", "skip")
         self.assertEqual(result.returncode, SUCCESS)
         self.assertIn("left out", result.stderr)
         self.assertFalse((self.folder / "other" / "channel").exists())
@@ -169,8 +164,7 @@ class Abc_case_test(Case_test):
                     shutil.copy(source, place / ("%s_0a1b_%s_000%s" % (number, kind, source.suffix)))
         bad = tree / "b" / "00000003" / "00000003_0a1b_features_000.yml"
         bad.write_text(bad.read_text()[:3000])
-        result = subprocess.run([self.tool, "--batch", tree, "-o", out, "--fields", "exact", *SMALL], stdout=subprocess.PIPE,
-                                stderr=subprocess.PIPE, universal_newlines=True)
+        result = self.execute(self.folder, "--batch", tree, "-o", out, "--fields", "exact", *SMALL)
         self.assertEqual(result.returncode, BAD_INPUT, result.stderr)
         self.assertIn("2 cases made, 0 left out, 2 failed", result.stdout)
         self.assertIn("00000003_0a1b_000", result.stderr)
@@ -237,9 +231,8 @@ class Abc_case_test(Case_test):
         self.assert_bad(mesh, "", "surfaces")
         self.assert_bad(mesh, "\0\1\2[[[{", "bad.yml")
         self.assert_bad(mesh, "[1, 2]", "surfaces")
-        self.assert_bad(mesh, features.replace("sharp: true", "sharp: false"), "no sharp curve", code=NO_SHARP_CURVE)
+        self.assert_bad(mesh, features.replace("sharp: true", "sharp: false"), "no sharp curve", code=NO_FEATURE)
 
 
 if __name__ == "__main__":
-    Case_test.tool = sys.argv.pop(1)
-    unittest.main()
+    main("tool")

@@ -12,13 +12,11 @@ import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
-TOOL = MAKE_CLOUD = None
-TIME_LIMIT = 280
-SUCCESS, INTERNAL_ERROR, USAGE_ERROR, BAD_INPUT, NO_FEATURE, SOME_FAILED, BUSY = range(7)
+from program_test import BAD_INPUT, BUSY, NO_FEATURE, SOME_FAILED, SUCCESS, TIME_LIMIT, USAGE_ERROR, Program_test, main
+
 COLUMNS = ["cloud", "status", "exit_code", "error", "seconds", "processor_seconds", "peak_megabytes", "points", "r",
            "curves", "corners", "warnings", "outputs"]
 
@@ -50,21 +48,12 @@ def wait_until(condition, what):
         time.sleep(0.02)
 
 
-class Batch_test(unittest.TestCase):
+class Batch_test(Program_test):
     @classmethod
     def setUpClass(cls):
-        cls.shared = pathlib.Path(tempfile.mkdtemp(prefix="wireframe_batch_"))
+        super().setUpClass()
         for shape in ("box", "cylinder"):
-            subprocess.run([MAKE_CLOUD, shape, "--points", "2000", "-o", str(cls.shared / f"{shape}.ply")], check=True,
-                           stdout=subprocess.DEVNULL, timeout=TIME_LIMIT)
-
-    @classmethod
-    def tearDownClass(cls):
-        shutil.rmtree(cls.shared)
-
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="case_", dir=self.shared))
-        self.addCleanup(shutil.rmtree, self.folder)
+            cls.make_cloud(f"{shape}.ply", shape, "--points", 2000)
 
     # ---- tools ----
 
@@ -80,14 +69,10 @@ class Batch_test(unittest.TestCase):
         """Whoever reads it waits for ever, as nobody writes to this pipe."""
         os.mkfifo(self.folder / name)
 
-    def run_tool(self, *arguments, code=SUCCESS, stdin=""):
-        done = subprocess.run([TOOL, *map(str, arguments)], cwd=self.folder, input=stdin, stdout=subprocess.PIPE,
-                              stderr=subprocess.PIPE, encoding="utf-8", timeout=TIME_LIMIT)
+    def run_batch(self, *arguments, code=SUCCESS, list_name="list.txt", output="out", stdin=""):
+        done = self.execute(self.folder, "--batch", list_name, "--output-dir", output, *arguments, input=stdin)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done
-
-    def run_batch(self, *arguments, code=SUCCESS, list_name="list.txt", output="out", stdin=""):
-        return self.run_tool("--batch", list_name, "--output-dir", output, *arguments, code=code, stdin=stdin)
 
     def refuse(self, code, words, *arguments):
         """The batch must not start; it says why in one line, and makes nothing."""
@@ -99,7 +84,7 @@ class Batch_test(unittest.TestCase):
         self.assertEqual(self.files("."), before)
 
     def start_batch(self, *arguments):
-        process = subprocess.Popen([TOOL, "--batch", "list.txt", "--output-dir", "out", *map(str, arguments)],
+        process = subprocess.Popen([self.tool, "--batch", "list.txt", "--output-dir", "out", *map(str, arguments)],
                                    cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, encoding="utf-8")
         self.addCleanup(process.communicate)
@@ -492,5 +477,4 @@ class Batch_test(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    TOOL, MAKE_CLOUD = (str(pathlib.Path(name).resolve()) for name in sys.argv[1:3])
-    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
+    main("tool", "cloud_maker")

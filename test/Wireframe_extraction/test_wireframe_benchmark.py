@@ -16,13 +16,13 @@ import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
-RUN_BENCHMARK = EVALUATE_WIREFRAME = MAKE_CLOUD = EXTRACT_WIREFRAME = None
-TIME_LIMIT = 280
-SUCCESS, INTERNAL_ERROR, USAGE_ERROR, BAD_INPUT, FAILED_CASE, STOPPED = 0, 1, 2, 3, 4, 130
+from program_test import BAD_INPUT, SUCCESS, TIME_LIMIT, USAGE_ERROR, Program_test
+
+RUN_BENCHMARK = EVALUATE_WIREFRAME = EXTRACT_WIREFRAME = None
+FAILED_CASE, STOPPED = 4, 130   # exit codes of these programs alone
 
 # A tool that knows the truth: it reads what stands beside the cloud, and writes it as wireframe JSON.
 PERFECT_TOOL = """
@@ -75,32 +75,24 @@ def processes_with(text):
     return result
 
 
-class Test(unittest.TestCase):
+class Benchmark_test(Program_test):
     @classmethod
     def setUpClass(cls):
-        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="test_wireframe_benchmark_"))
-        cls.cases = cls.folder / "cases"
+        super().setUpClass()
+        cls.cases = cls.shared / "cases"
         for family, solid in (("round", "cylinder"), ("flat", "box")):
-            subprocess.run([MAKE_CLOUD, solid, "--points", "3000", "--fields", "exact,def", "-o",
-                            cls.cases / family / solid], check=True, stdout=subprocess.DEVNULL, timeout=TIME_LIMIT)
-
-    @classmethod
-    def tearDownClass(cls):
-        shutil.rmtree(cls.folder)
-
-    def setUp(self):
-        self.work = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
+            cls.make_cloud(cls.cases / family / solid, solid, "--points", 3000, "--fields", "exact,def")
 
     def run_program(self, program, *arguments, environment=None):
         return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, timeout=TIME_LIMIT,
-                              cwd=self.work, env={**os.environ, "TMPDIR": str(self.work), **(environment or {})})
+                              cwd=self.folder, env={**os.environ, "TMPDIR": str(self.folder), **(environment or {})})
 
     def benchmark(self, *arguments, folder=None, code=SUCCESS):
         """Runs the benchmark; returns the finished process, and its rows by (case, field)."""
-        table = self.work / "rows.csv"
+        table = self.folder / "rows.csv"
         process = self.run_program(RUN_BENCHMARK, folder or self.cases, "--csv", table, *arguments)
         self.assertEqual(process.returncode, code, process.stderr)
-        self.assertEqual(list(self.work.glob("run_benchmark_*")), [])
+        self.assertEqual(list(self.folder.glob("run_benchmark_*")), [])
         with open(table, newline="") as file:
             self.rows = list(csv.DictReader(file))
         return process, {(row["case"], row["field"]): row for row in self.rows}
@@ -125,7 +117,7 @@ class Test(unittest.TestCase):
     # run_benchmark
 
     def test_perfect_tool(self):
-        report = self.work / "report.md"
+        report = self.folder / "report.md"
         process, rows = self.benchmark("--tool", script(PERFECT_TOOL), "-j", 2, "--markdown", report)
         self.assertEqual(set(rows), {(case, field) for case in ("box", "cylinder") for field in ("exact", "def")})
         for row in rows.values():
@@ -167,11 +159,11 @@ class Test(unittest.TestCase):
             self.assertEqual(set(rows), {("box", "exact"), ("box", "def")})
             self.assertEqual({row["family"] for row in rows.values()}, {"flat"})
         # links count as what they lead to, and may lead in circles
-        linked = self.work / "linked"
+        linked = self.folder / "linked"
         linked.mkdir()
         (linked / "case").symlink_to(self.cases / "flat" / "box")
         (linked / "around").symlink_to(linked)
-        (linked / "nowhere").symlink_to(self.work / "missing")
+        (linked / "nowhere").symlink_to(self.folder / "missing")
         _, rows = self.benchmark(*tool, folder=linked)
         self.assertEqual(set(rows), {("case", "exact"), ("case", "def")})
 
@@ -225,15 +217,15 @@ class Test(unittest.TestCase):
         self.assertEqual({row["failure"] for row in rows.values()}, {""})
 
     def test_compare(self):
-        perfect, bad = self.work / "perfect.csv", self.work / "bad.csv"
+        perfect, bad = self.folder / "perfect.csv", self.folder / "bad.csv"
         self.benchmark("--tool", script(PERFECT_TOOL))
-        shutil.move(self.work / "rows.csv", perfect)
+        shutil.move(self.folder / "rows.csv", perfect)
         process, _ = self.benchmark("--tool", "false", "--compare", perfect)
-        shutil.move(self.work / "rows.csv", bad)
+        shutil.move(self.folder / "rows.csv", bad)
         self.assertIn("Of 4 cases in both runs: 0 better, 4 worse, 0 mixed, 0 the same.", process.stdout)
         self.assertEqual(process.stdout.count("\nworse "), 4)
         self.assertIn("1.000 -> 0.000", process.stdout)
-        report = self.work / "report.md"
+        report = self.folder / "report.md"
         process, _ = self.benchmark("--tool", script(PERFECT_TOOL), "--compare", bad, "--markdown", report,
                                     "--fields", "exact")
         self.assertIn("Of 2 cases in both runs: 2 better, 0 worse, 0 mixed, 0 the same; 2 only before, 0 only now.",
@@ -243,11 +235,11 @@ class Test(unittest.TestCase):
         process, _ = self.benchmark("--tool", script(PERFECT_TOOL), "--compare", perfect)
         self.assertIn("0 better, 0 worse, 0 mixed, 4 the same.", process.stdout)
         # what is compared with may be what is written
-        process, _ = self.benchmark("--tool", "false", "--compare", self.work / "rows.csv")
+        process, _ = self.benchmark("--tool", "false", "--compare", self.folder / "rows.csv")
         self.assertIn("4 worse", process.stdout)
 
     def test_broken_truth(self):
-        cases = self.work / "cases"
+        cases = self.folder / "cases"
         shutil.copytree(self.cases, cases)
         truth = cases / "flat" / "box" / "truth.json"
         truth.write_text("{")
@@ -258,9 +250,9 @@ class Test(unittest.TestCase):
 
     def test_wrong_usage(self):
         tool = ("--tool", "false")
-        empty = self.work / "empty"
+        empty = self.folder / "empty"
         empty.mkdir()
-        table = self.work / "table.csv"
+        table = self.folder / "table.csv"
         table.write_text("no table\n")
         for arguments, code, texts in (
                 ((), USAGE_ERROR, ["DIR"]),
@@ -273,7 +265,7 @@ class Test(unittest.TestCase):
                 ((self.cases, "--tool", " "), USAGE_ERROR, ["empty"]),
                 ((self.cases, *tool, "--csv", "no/such/folder.csv"), USAGE_ERROR, ["no/such/folder.csv"]),
                 ((self.cases, *tool, "--markdown", "no/such/folder.md"), USAGE_ERROR, ["no/such/folder.md"]),
-                ((self.work / "missing", *tool), BAD_INPUT, ["missing", "is not a folder"]),
+                ((self.folder / "missing", *tool), BAD_INPUT, ["missing", "is not a folder"]),
                 ((empty, *tool), BAD_INPUT, ["empty", "there is no case"]),
                 ((self.cases, *tool, "--fields", "exact,blurred"), BAD_INPUT, ["blurred"]),
                 ((self.cases, *tool, "--match", "sphere"), BAD_INPUT, ["sphere"]),
@@ -287,21 +279,21 @@ class Test(unittest.TestCase):
         mark = "87654.%d" % os.getpid()
         tool = shell("sleep %s & sleep %s" % (mark, mark))
         process = subprocess.Popen([RUN_BENCHMARK, self.cases, "--tool", tool, "-j", "2"], stdout=subprocess.DEVNULL,
-                                   stderr=subprocess.PIPE, text=True, env={**os.environ, "TMPDIR": str(self.work)})
+                                   stderr=subprocess.PIPE, text=True, env={**os.environ, "TMPDIR": str(self.folder)})
         deadline = time.monotonic() + 30
-        while len(list(self.work.glob("run_benchmark_*/*.txt"))) < 2 and time.monotonic() < deadline:
+        while len(list(self.folder.glob("run_benchmark_*/*.txt"))) < 2 and time.monotonic() < deadline:
             time.sleep(0.02)
         process.send_signal(signal.SIGINT)
         _, errors = process.communicate(timeout=30)
         self.assertEqual(process.returncode, STOPPED, errors)
         self.assertIn("stopped", errors)
         self.assertEqual(remaining_processes(mark), [])
-        self.assertEqual(list(self.work.glob("run_benchmark_*")), [])
+        self.assertEqual(list(self.folder.glob("run_benchmark_*")), [])
 
     # evaluate_wireframe
 
     def test_evaluation(self):
-        truth, result = self.cases / "round" / "cylinder" / "truth.json", self.work / "result.json"
+        truth, result = self.cases / "round" / "cylinder" / "truth.json", self.folder / "result.json"
         subprocess.run([sys.executable, "-c", PERFECT_TOOL, truth.parent / "def.ply", "-o", result], check=True)
         process = self.run_program(EVALUATE_WIREFRAME, truth, result)
         self.assertEqual((process.returncode, process.stderr), (SUCCESS, ""))
@@ -315,7 +307,7 @@ class Test(unittest.TestCase):
         self.assertEqual(scores["sampling_distance"], json.loads(truth.read_text())["r"])
 
     def test_evaluation_of_nothing_usable(self):
-        truth, result = self.cases / "flat" / "box" / "truth.json", self.work / "result.json"
+        truth, result = self.cases / "flat" / "box" / "truth.json", self.folder / "result.json"
         for text, reason in ((None, "cannot be opened"), ("{", "is not JSON"), ("{}", "there is no \"curves\""),
                              ('{"curves": []}', "there is no curve")):
             with self.subTest(text=text):
@@ -342,6 +334,6 @@ class Test(unittest.TestCase):
 
 if __name__ == "__main__":
     programs = [argument for argument in sys.argv[1:5] if os.path.isabs(argument)]
-    RUN_BENCHMARK, EVALUATE_WIREFRAME, MAKE_CLOUD = programs[:3]
+    RUN_BENCHMARK, EVALUATE_WIREFRAME, Program_test.cloud_maker = programs[:3]
     EXTRACT_WIREFRAME = programs[3] if len(programs) > 3 else None
     unittest.main(argv=sys.argv[:1] + sys.argv[1 + len(programs):])

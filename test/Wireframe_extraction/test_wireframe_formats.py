@@ -13,13 +13,8 @@ import csv
 import itertools
 import json
 import math
-import pathlib
-import re
-import shutil
 import struct
 import subprocess
-import sys
-import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 
@@ -31,7 +26,8 @@ try:
 except ImportError:
     vtk = None
 
-PROGRAM = None
+from program_test import Program_test, main
+
 SVG = "{http://www.w3.org/2000/svg}"
 TYPES = ["bspline", "line", "circle", "arc", "ellipse", "elliptic_arc"]
 METERS = {"um": 1e-6, "mm": 1e-3, "cm": 1e-2, "m": 1., "in": 0.0254, "ft": 0.3048}
@@ -90,17 +86,13 @@ class Arc_length:
         return [a + t * (b - a) for a, b in zip(self.points[i], self.points[i + 1])]
 
 
-class Formats_test(unittest.TestCase):
+class Formats_test(Program_test):
     @classmethod
     def setUpClass(cls):
-        cls.folder = pathlib.Path(tempfile.mkdtemp())
-        subprocess.run([PROGRAM, cls.folder], check=True, timeout=200)
-        cls.truths = {name: json.loads((cls.folder / (name + ".json")).read_text()) for name in ("near", "far")}
+        super().setUpClass()
+        subprocess.run([cls.format_writer, cls.shared], check=True, timeout=200)
+        cls.truths = {name: json.loads((cls.shared / (name + ".json")).read_text()) for name in ("near", "far")}
         cls.arc_lengths = {name: [Arc_length(curve) for curve in truth["curves"]] for name, truth in cls.truths.items()}
-
-    @classmethod
-    def tearDownClass(cls):
-        shutil.rmtree(cls.folder)
 
     def wireframes(self):
         for name, truth in self.truths.items():
@@ -130,7 +122,7 @@ class Formats_test(unittest.TestCase):
     # ---- DXF ----
 
     def read_dxf(self, name):
-        document = ezdxf.readfile(str(self.folder / name))
+        document = ezdxf.readfile(str(self.shared / name))
         auditor = document.audit()
         self.assertEqual([str(error.message) for error in auditor.errors], [])
         self.assertEqual([str(error.message) for error in auditor.fixes], [])
@@ -211,7 +203,7 @@ class Formats_test(unittest.TestCase):
     def test_vtp(self):
         """The parts of the file fit each other, whoever reads them."""
         for name, truth, _ in self.wireframes():
-            piece = ElementTree.parse(self.folder / (name + ".vtp")).find("PolyData/Piece")
+            piece = ElementTree.parse(self.shared / (name + ".vtp")).find("PolyData/Piece")
             numbers = {key: int(value) for key, value in piece.attrib.items()}
             self.assertEqual((numbers["NumberOfVerts"], numbers["NumberOfLines"]),
                              (len(truth["vertices"]), len(truth["curves"])))
@@ -255,7 +247,7 @@ class Formats_test(unittest.TestCase):
         errors = []
         reader = vtk.vtkXMLPolyDataReader()
         reader.AddObserver("ErrorEvent", lambda *_: errors.append(name))
-        reader.SetFileName(str(self.folder / name))
+        reader.SetFileName(str(self.shared / name))
         reader.Update()
         self.assertEqual(errors, [])
         return reader.GetOutput()
@@ -264,7 +256,7 @@ class Formats_test(unittest.TestCase):
 
     def read_gltf(self, name):
         """The document and its bytes, from either form."""
-        data = (self.folder / name).read_bytes()
+        data = (self.shared / name).read_bytes()
         if name.endswith(".gltf"):
             document = json.loads(data)
             buffers = document.get("buffers", [])
@@ -334,7 +326,7 @@ class Formats_test(unittest.TestCase):
             reader = vtk.vtkGLTFReader()
             for event in ("ErrorEvent", "WarningEvent"):
                 reader.AddObserver(event, lambda *_: errors.append(name))
-            reader.SetFileName(str(self.folder / name))
+            reader.SetFileName(str(self.shared / name))
             reader.Update()
             self.assertEqual(errors, [])
             iterator = reader.GetOutput().NewIterator()
@@ -369,7 +361,7 @@ class Formats_test(unittest.TestCase):
         directions = {"front": ((1, 0, 0), (0, 0, 1)), "top": ((1, 0, 0), (0, 1, 0)), "right": ((0, 1, 0), (0, 0, 1)),
                       "isometric": ((a, a, 0), (-b, b, 2 * b))}
         for name, truth, _ in self.wireframes():
-            root = ElementTree.parse(self.folder / (name + ".svg")).getroot()
+            root = ElementTree.parse(self.shared / (name + ".svg")).getroot()
             width, height = float(root.get("width")), float(root.get("height"))
             self.assertEqual(root.get("viewBox").split(), ["0", "0", root.get("width"), root.get("height")])
             views = {view.get("id"): view for view in root.findall(SVG + "g")}
@@ -408,15 +400,15 @@ class Formats_test(unittest.TestCase):
             self.assertLess(boxes["top"][2], boxes["isometric"][0])
             self.assertEqual({text.text for text in views["legend"]}, set(TYPES))
         for name in ("flat", "empty"):
-            self.assertEqual(len(ElementTree.parse(self.folder / (name + ".svg")).getroot().findall(SVG + "g")), 5)
+            self.assertEqual(len(ElementTree.parse(self.shared / (name + ".svg")).getroot().findall(SVG + "g")), 5)
         for unit in METERS:
-            self.assertRegex((self.folder / f"unit_{unit}.svg").read_text(), rf"Size 1 x 0 x 0 {unit},")
+            self.assertRegex((self.shared / f"unit_{unit}.svg").read_text(), rf"Size 1 x 0 x 0 {unit},")
 
     # ---- CSV ----
 
     def test_csv(self):
         for name, truth, _ in self.wireframes():
-            with open(self.folder / (name + ".csv"), newline="", encoding="ascii") as file:
+            with open(self.shared / (name + ".csv"), newline="", encoding="ascii") as file:
                 rows = list(csv.DictReader(file, strict=True))
             self.assertEqual(len(rows), len(truth["curves"]))
             for i, (row, curve) in enumerate(zip(rows, truth["curves"])):
@@ -449,14 +441,14 @@ class Formats_test(unittest.TestCase):
                 self.assertEqual([float(text) if text else "" for text in found], expected)
                 length = self.arc_lengths[name][i].total
                 self.assertAlmostEqual(float(row["length"]), length, delta=1e-5 * length)
-        self.assertEqual((self.folder / "empty.csv").read_bytes().count(b"\r\n"), 1)
+        self.assertEqual((self.shared / "empty.csv").read_bytes().count(b"\r\n"), 1)
 
     # ---- OBJ ----
 
     def test_obj_splines(self):
         for name, truth, tolerance in self.wireframes():
             points, curves = [], []
-            for line in (self.folder / (name + "_splines.obj")).read_text().splitlines():
+            for line in (self.shared / (name + "_splines.obj")).read_text().splitlines():
                 kind, *words = line.split()
                 if kind == "v":
                     points.append(list(map(float, words)))
@@ -489,7 +481,4 @@ class Formats_test(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 2 or re.match("-", sys.argv[1]):
-        sys.exit(__doc__)
-    PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
-    unittest.main()
+    main("format_writer")

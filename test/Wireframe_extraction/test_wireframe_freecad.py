@@ -7,14 +7,10 @@ usage: test_wireframe_freecad.py FREECADCMD TEST_WIREFRAME_CAD [options of unitt
 import collections
 import json
 import os
-import pathlib
-import shutil
 import subprocess
-import sys
-import tempfile
-import unittest
 
-FREECAD = WRITE_SAMPLE = None
+from program_test import Program_test, main
+
 # of the sample that test_wireframe_cad writes
 EXPECTED = {"Part::GeomLine": 4, "Part::GeomCircle": 3, "Part::GeomEllipse": 2, "Part::GeomBSplineCurve": 4}
 
@@ -39,25 +35,21 @@ with open(os.path.join(folder, "result.json"), "w") as file:
 """
 
 
-class Freecad_test(unittest.TestCase):
+class Freecad_test(Program_test):
     @classmethod
     def setUpClass(cls):
-        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="wireframe_freecad_"))
-        names = [str(cls.folder / name) for name in ("sample.step", "sample.iges", "sample.brep")]
-        subprocess.run([WRITE_SAMPLE, *names], check=True, timeout=120)
-        (cls.folder / "script.py").write_text(SCRIPT)
-        environment = dict(os.environ, WIREFRAME_FOLDER=str(cls.folder), HOME=str(cls.folder),
+        super().setUpClass()
+        names = [str(cls.shared / name) for name in ("sample.step", "sample.iges", "sample.brep")]
+        subprocess.run([cls.sample_writer, *names], check=True, timeout=120)
+        (cls.shared / "script.py").write_text(SCRIPT)
+        environment = dict(os.environ, WIREFRAME_FOLDER=str(cls.shared), HOME=str(cls.shared),
                            QT_QPA_PLATFORM="offscreen")
-        done = subprocess.run([FREECAD, str(cls.folder / "script.py")], env=environment, stdin=subprocess.DEVNULL,
+        done = subprocess.run([cls.freecad, str(cls.shared / "script.py")], env=environment, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8", timeout=240)
-        result = cls.folder / "result.json"
+        result = cls.shared / "result.json"
         if not result.exists():
             raise AssertionError(f"FreeCAD wrote no result, but said:\n{done.stdout}")
         cls.result = json.loads(result.read_text())
-
-    @classmethod
-    def tearDownClass(cls):
-        shutil.rmtree(cls.folder, ignore_errors=True)
 
     def test_kinds(self):
         for name in ("sample.step", "sample.iges", "sample.brep"):
@@ -86,7 +78,4 @@ class Freecad_test(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 3:
-        sys.exit(__doc__)
-    FREECAD, WRITE_SAMPLE = (str(pathlib.Path(name).resolve()) for name in sys.argv[1:3])
-    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
+    main("freecad", "sample_writer")

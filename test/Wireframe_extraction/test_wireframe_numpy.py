@@ -6,11 +6,6 @@ usage: test_wireframe_numpy.py EXTRACT_WIREFRAME MAKE_CLOUD [options of unittest
 
 import json
 import os
-import pathlib
-import shutil
-import subprocess
-import sys
-import tempfile
 import unittest
 
 import numpy
@@ -20,64 +15,41 @@ try:
 except ImportError:
     h5py = None
 
-TOOL = MAKE_CLOUD = None
-TIME_LIMIT = 280
+from program_test import BAD_INPUT, USAGE_ERROR, Program_test, main, read_cloud
+
 WITH_HDF5 = os.environ.get("EXTRACT_WIREFRAME_WITH_HDF5") == "1"   # whether the tool is built with these
 WITH_ZLIB = os.environ.get("EXTRACT_WIREFRAME_WITH_ZLIB") == "1"
-USAGE_ERROR, BAD_INPUT = 2, 3
 
 
-def read_cloud(path):
-    """The array N x 4 of points and distances of a file of make_cloud."""
-    data = pathlib.Path(path).read_bytes()
-    end = data.index(b"end_header\n") + len(b"end_header\n")
-    letters = {"double": "<f8", "float": "<f4"}
-    lines = [line.split() for line in data[:end].decode().splitlines()]
-    layout = numpy.dtype([(line[2], letters[line[1]]) for line in lines if line[0] == "property"])
-    rows = numpy.frombuffer(data, layout, offset=end)
-    return numpy.stack([rows[name].astype(float) for name in ("x", "y", "z", "distance")], axis=1)
-
-
-class Numpy_test(unittest.TestCase):
+class Numpy_test(Program_test):
     @classmethod
     def setUpClass(cls):
-        cls.shared = pathlib.Path(tempfile.mkdtemp(prefix="wireframe_numpy_"))
-        subprocess.run([MAKE_CLOUD, "box", "--points", "5000", "-o", cls.shared / "box.ply"], check=True,
-                       stdout=subprocess.DEVNULL, timeout=TIME_LIMIT)
-        cls.cloud = read_cloud(cls.shared / "box.ply")
+        super().setUpClass()
+        cls.make_cloud("box.ply", "box", "--points", 5000)
+        cls.cloud = numpy.array(read_cloud(cls.shared / "box.ply"))
         cls.points, cls.distances = cls.cloud[:, :3], cls.cloud[:, 3]
         # the order in which points come out of a fusion by positions
         cls.order = numpy.lexsort(cls.points.T[::-1])
-        cls.expected = cls.run_tool(cls.shared, "box.ply", "-o", "box.json")
-        assert cls.expected.returncode == 0, cls.expected.stderr
-        cls.expected = json.loads((cls.shared / "box.json").read_text())
+        cls.expected = cls.wireframe_of("box.ply")
         numpy.save(cls.shared / "sorted.npy", cls.cloud[cls.order])
-        done = cls.run_tool(cls.shared, "sorted.npy", "-o", "sorted.json")
-        assert done.returncode == 0, done.stderr
-        cls.expected_sorted = json.loads((cls.shared / "sorted.json").read_text())
+        cls.expected_sorted = cls.wireframe_of("sorted.npy")
 
     @classmethod
-    def tearDownClass(cls):
-        shutil.rmtree(cls.shared)
-
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="case_", dir=self.shared))
-
-    @staticmethod
-    def run_tool(folder, *arguments):
-        return subprocess.run([TOOL, *map(str, arguments)], cwd=folder, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8", timeout=TIME_LIMIT)
+    def wireframe_of(cls, name):
+        done = cls.execute(cls.shared, name, "-o", "out.json")
+        assert done.returncode == 0, done.stderr
+        return json.loads((cls.shared / "out.json").read_text())
 
     def check(self, *arguments, expected=None):
         """The tool finds the wireframe of the box, also if it reads the file several times; returns what it said."""
         for memory in ((), ("--points-in-memory", 900)):
-            done = self.run_tool(self.folder, *arguments, *memory, "-o", "out.json")
+            done = self.execute(self.folder, *arguments, *memory, "-o", "out.json")
             self.assertEqual((done.returncode, done.stderr), (0, ""), done.args)
             self.assertEqual(json.loads((self.folder / "out.json").read_text()), expected or self.expected)
         return done.stdout
 
     def refuse(self, exit_code, words, *arguments):
-        done = self.run_tool(self.folder, *arguments, "-o", "none.json")
+        done = self.execute(self.folder, *arguments, "-o", "none.json")
         self.assertEqual(done.returncode, exit_code, (done.args, done.stderr))
         self.assertRegex(done.stderr, r"\Aextract_wireframe: error: [^\n]+\n\Z")
         for word in words:
@@ -173,7 +145,7 @@ class Numpy_test(unittest.TestCase):
                 value[:2500] = 0
             numpy.savez(self.folder / f"{i}.npz", points=self.points, distances=value, indices=numpy.arange(5000))
         self.check("--patches", "0.npz", "1.npz", "2.npz", "--fuse", "median")
-        done = self.run_tool(self.folder, "--patches", "0.npz", "1.npz", "2.npz", "-o", "minimum.json")
+        done = self.execute(self.folder, "--patches", "0.npz", "1.npz", "2.npz", "-o", "minimum.json")
         if done.returncode == 0:
             self.assertNotEqual(json.loads((self.folder / "minimum.json").read_text()), self.expected)
 
@@ -203,7 +175,4 @@ class Numpy_test(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 3:
-        sys.exit(__doc__)
-    TOOL, MAKE_CLOUD = (str(pathlib.Path(name).resolve()) for name in sys.argv[1:3])
-    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
+    main("tool", "cloud_maker")

@@ -9,24 +9,14 @@ import base64
 import json
 import math
 import os
-import pathlib
 import re
-import shutil
-import subprocess
 import sys
-import tempfile
 import unittest
 
-TOOL = MAKE_CLOUD = None
-TIME_LIMIT = 280
+from program_test import NO_FEATURE, USAGE_ERROR, Program_test, main
+
 WITH_VIEWER = os.environ.get("EXTRACT_WIREFRAME_WITH_VIEWER") == "1"
-SUCCESS, INTERNAL_ERROR, USAGE_ERROR, BAD_INPUT, NO_FEATURE = range(5)
 NAME = "a <b>&amp; \"c\" <!-- <script>alert(1)<.ply"   # a slash is not possible in a name
-
-
-def run(folder, *arguments):
-    return subprocess.run([str(TOOL), *map(str, arguments)], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          universal_newlines=True, timeout=TIME_LIMIT)
 
 
 def refuse_constant(name):
@@ -51,20 +41,10 @@ def triples(values):
     return list(zip(values[0::3], values[1::3], values[2::3]))
 
 
-class Page_test(unittest.TestCase):
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="wireframe_page_"))
-        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
-
-    def make_cloud(self, name, *arguments):
-        subprocess.run([MAKE_CLOUD, *map(str, arguments), "-o", self.folder / "cloud.ply"], check=True,
-                       stdout=subprocess.DEVNULL, timeout=TIME_LIMIT)
-        (self.folder / "cloud.ply").rename(self.folder / name)
-
-    def run_tool(self, *arguments, code=SUCCESS):
-        done = run(self.folder, *arguments)
-        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
-        return done.stdout if code == SUCCESS else done.stderr
+class Page_test(Program_test):
+    def make_cloud_of_test(self, name, *arguments):
+        self.make_cloud(self.folder / "cloud.ply", *arguments)
+        (self.folder / "cloud.ply").rename(self.folder / name)   # which need not end in .ply
 
     def page_of(self, *arguments):
         output = self.run_tool(*arguments, "--html", "page.html", "-o", "wireframe.json")
@@ -76,7 +56,7 @@ class Page_test(unittest.TestCase):
 @unittest.skipUnless(WITH_VIEWER, "the tool was built without the viewer (npm)")
 class Content_test(Page_test):
     def test_agrees_with_json(self):
-        self.make_cloud(NAME, "slotted_plate", "--points", 8000, "--field", "exact", "--scale", 100)
+        self.make_cloud_of_test(NAME, "slotted_plate", "--points", 8000, "--field", "exact", "--scale", 100)
         page, data, wireframe = self.page_of(NAME, "--unit", "cm", "--maximum-gap", 17)
         self.assertEqual((data["format"], data["version"]), ("wireframe page", 1))
         self.assertEqual((data["unit"], data["title"]), ("cm", NAME))
@@ -179,14 +159,14 @@ class Content_test(Page_test):
         self.assertEqual(page.count("</script>"), 2)
 
     def test_parameters_of_paper(self):
-        self.make_cloud("box.ply", "box", "--points", 4000, "--field", "exact")
+        self.make_cloud_of_test("box.ply", "box", "--points", 4000, "--field", "exact")
         _, data, _ = self.page_of("box.ply", "--paper")
         parameters = {parameter["name"]: parameter["value"] for parameter in data["parameters"]}
         self.assertEqual((parameters["--graph-method"], parameters["--recognize-types"]), ("subdivided", "false"))
 
     def test_far_and_large(self):
         """Far from the origin no digits are lost, and invalid points are left out."""
-        self.make_cloud("box.ply", "box", "--points", 4000, "--field", "exact")
+        self.make_cloud_of_test("box.ply", "box", "--points", 4000, "--field", "exact")
         content = (self.folder / "box.ply").read_bytes()
         begin = content.index(b"end_header\n") + len(b"end_header\n")
         values = array.array("f", content[begin:])
@@ -205,12 +185,12 @@ class Content_test(Page_test):
             self.assertLess(math.dist(self.place(data, mine), other), 1e-6)
 
     def test_without_output(self):
-        self.make_cloud("box.ply", "box", "--points", 4000, "--field", "exact")
+        self.make_cloud_of_test("box.ply", "box", "--points", 4000, "--field", "exact")
         self.run_tool("box.ply", "--html", "page.html", "--quiet")
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["box.ply", "page.html"])
 
     def test_failures(self):
-        self.make_cloud("box.ply", "box", "--points", 4000, "--field", "exact")
+        self.make_cloud_of_test("box.ply", "box", "--points", 4000, "--field", "exact")
         (self.folder / "folder.html").mkdir()
         for arguments, words in (
                 (("--html", ""), "name of the page is empty"),
@@ -234,13 +214,13 @@ class Content_test(Page_test):
 
 class Command_line_test(Page_test):
     def test_page_is_no_format(self):
-        self.make_cloud("box.ply", "box", "--points", 4000, "--field", "exact")
+        self.make_cloud_of_test("box.ply", "box", "--points", 4000, "--field", "exact")
         self.assertIn("--html OUT.html", self.run_tool("box.ply", "-o", "page.html", code=USAGE_ERROR))
         self.assertIn("--output (or --html", self.run_tool("box.ply", code=USAGE_ERROR))
 
     @unittest.skipIf(WITH_VIEWER, "the tool was built with the viewer")
     def test_without_viewer(self):
-        self.make_cloud("box.ply", "box", "--points", 4000, "--field", "exact")
+        self.make_cloud_of_test("box.ply", "box", "--points", 4000, "--field", "exact")
         error = self.run_tool("box.ply", "--html", "page.html", code=USAGE_ERROR)
         self.assertIn("npm", error)
         self.assertEqual(error.count("\n"), 1)
@@ -248,7 +228,4 @@ class Command_line_test(Page_test):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 3:
-        sys.exit(__doc__)
-    TOOL, MAKE_CLOUD = (pathlib.Path(path).resolve() for path in sys.argv[1:3])
-    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
+    main("tool", "cloud_maker")

@@ -8,17 +8,11 @@ With the variable WIREFRAME_PAGE_PICTURES set, pictures of the page are left in 
 
 import os
 import pathlib
-import shutil
-import subprocess
-import sys
-import tempfile
 import time
-import unittest
 
 from headless_browser import Browser
+from program_test import Program_test, main
 
-CHROMIUM = TOOL = MAKE_CLOUD = None
-TIME_LIMIT = 280
 
 # how many pixels of the view are neither its background nor near to it
 COUNT_PIXELS = """(() => {
@@ -35,21 +29,14 @@ COUNT_PIXELS = """(() => {
 })()"""
 
 
-class Browser_test(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="wireframe_browser_"))
-        cls.addClassCleanup(shutil.rmtree, cls.folder, ignore_errors=True)
-
+class Browser_test(Program_test):
     def page_of(self, name, *arguments):
-        subprocess.run([MAKE_CLOUD, *map(str, arguments), "-o", self.folder / name], check=True,
-                       stdout=subprocess.DEVNULL, timeout=TIME_LIMIT)
-        page = self.folder / (name + ".html")
-        subprocess.run([TOOL, self.folder / name, "--html", page, "--quiet"], check=True, timeout=TIME_LIMIT)
-        return page
+        self.make_cloud(self.folder / name, *arguments)
+        self.run_tool(name, "--html", name + ".html", "--quiet")
+        return self.folder / (name + ".html")
 
     def open(self, page):
-        browser = Browser(CHROMIUM)
+        browser = Browser(self.chromium)
         self.addCleanup(browser.__exit__)
         browser.open(page)
         browser.wait_for("window.wireframe !== undefined && wireframe.view !== null")
@@ -228,7 +215,4 @@ class Browser_test(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 4:
-        sys.exit(__doc__)
-    CHROMIUM, TOOL, MAKE_CLOUD = sys.argv[1], *(pathlib.Path(path).resolve() for path in sys.argv[2:4])
-    unittest.main(argv=[sys.argv[0], *sys.argv[4:]])
+    main("chromium", "tool", "cloud_maker")

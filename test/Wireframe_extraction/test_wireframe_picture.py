@@ -7,19 +7,13 @@ usage: test_wireframe_picture.py EXTRACT_WIREFRAME MAKE_CLOUD [options of unitte
 import json
 import math
 import os
-import pathlib
-import shutil
 import struct
-import subprocess
-import sys
-import tempfile
 import unittest
 import zlib
 
-TOOL = MAKE_CLOUD = None
-TIME_LIMIT = 280
+from program_test import USAGE_ERROR, Program_test, main
+
 WITH_PNG = os.environ.get("EXTRACT_WIREFRAME_WITH_PNG") == "1"
-SUCCESS, USAGE_ERROR = 0, 2
 COLOURS = {"line": (64, 64, 64), "arc": (255, 127, 14), "circle": (214, 39, 40)}
 VERTEX = (18, 20, 26)
 MARGIN = 40
@@ -88,20 +82,15 @@ def points_of(curve):
                    for c, u, v, r, s in zip(curve["center"], x, y, 3 * [curve["radii"][0]], 3 * [curve["radii"][1]])]
 
 
-class Picture_test(unittest.TestCase):
+class Picture_test(Program_test):
     def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="wireframe_picture_"))
-        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
-        subprocess.run([MAKE_CLOUD, "slotted_plate", "--points", "8000", "--field", "exact", "-o",
-                        self.folder / "plate.ply"], check=True, stdout=subprocess.DEVNULL, timeout=TIME_LIMIT)
+        super().setUp()
+        self.make_cloud(self.folder / "plate.ply", "slotted_plate", "--points", 8000, "--field", "exact")
 
-    def run_tool(self, *arguments, code=SUCCESS):
+    def run_tool(self, *arguments, **options):
+        """The same without a display."""
         environment = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
-        done = subprocess.run([str(TOOL), *map(str, arguments)], cwd=self.folder, env=environment,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True,
-                              timeout=TIME_LIMIT)
-        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
-        return done.stdout if code == SUCCESS else done.stderr
+        return super().run_tool(*arguments, env=environment, **options)
 
     def projection(self, view, width, height):
         """As the picture has it: by the corners of the plate, which the cloud does not pass."""
@@ -174,7 +163,4 @@ class Picture_test(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 3:
-        sys.exit(__doc__)
-    TOOL, MAKE_CLOUD = (pathlib.Path(path).resolve() for path in sys.argv[1:3])
-    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
+    main("tool", "cloud_maker")

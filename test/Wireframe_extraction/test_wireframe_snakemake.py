@@ -9,30 +9,26 @@ import os
 import pathlib
 import shutil
 import subprocess
-import sys
-import tempfile
-import unittest
 
-SNAKEMAKE = TOOL = MAKE_CLOUD = None
+from program_test import TIME_LIMIT, Program_test, main
+
 WORKFLOW = pathlib.Path(__file__).resolve().parents[2] / "examples/Wireframe_extraction/snakemake"
-TIME_LIMIT = 280
 
 
-class Snakemake_test(unittest.TestCase):
+class Snakemake_test(Program_test):
     def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="wireframe_snakemake_"))
-        self.addCleanup(shutil.rmtree, self.folder)
+        super().setUp()
         (self.folder / "clouds/a").mkdir(parents=True)
         (self.folder / "clouds/b").mkdir()
         for path in ("box.ply", "clouds/a/part.ply", "clouds/b/part.ply"):
-            subprocess.run([MAKE_CLOUD, "box", "--points", "2000", "-o", str(self.folder / path)], check=True,
-                           stdout=subprocess.DEVNULL, timeout=TIME_LIMIT)
+            self.make_cloud(self.folder / path, "box", "--points", 2000)
         (self.folder / "clouds/bad.xyz").write_text("1 2\n")
 
     def run_workflow(self, *config, is_well=True, options=()):
-        settings = {"tool": TOOL, "clouds_per_job": 2, "threads": 1, **dict(word.split("=", 1) for word in config)}
-        done = subprocess.run([SNAKEMAKE, "-s", str(WORKFLOW / "Snakefile"),
-                               "--profile", str(WORKFLOW / "profiles/local"), *options, "--config", *(f"{key}={value}" for key, value in settings.items())],
+        settings = {"tool": self.tool, "clouds_per_job": 2, "threads": 1, **dict(word.split("=", 1) for word in config)}
+        done = subprocess.run([self.snakemake, "-s", str(WORKFLOW / "Snakefile"),
+                               "--profile", str(WORKFLOW / "profiles/local"), *options, "--config",
+                               *(f"{key}={value}" for key, value in settings.items())],
                               cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8",
                               env={**os.environ, "XDG_CACHE_HOME": str(self.folder / "cache")}, timeout=TIME_LIMIT)
         self.assertEqual(done.returncode == 0, is_well, done.stdout)
@@ -71,9 +67,9 @@ class Snakemake_test(unittest.TestCase):
         os.mkfifo(self.folder / "clouds/b/endless.ply")   # whoever reads it waits for ever
         tool = self.folder / "tool.sh"
         tool.write_text(f"""#!/bin/sh
-[ -e killed ] && exec '{TOOL}' "$@"
+[ -e killed ] && exec '{self.tool}' "$@"
 touch killed
-'{TOOL}' "$@" &
+'{self.tool}' "$@" &
 while [ ! -e results/wireframes/.batch/records/b/endless.record ]; do sleep 0.1; done
 kill -9 $!
 rm clouds/b/endless.ply
@@ -94,5 +90,4 @@ exit 137
 
 
 if __name__ == "__main__":
-    SNAKEMAKE, TOOL, MAKE_CLOUD = (str(pathlib.Path(name).resolve()) for name in sys.argv[1:4])
-    unittest.main(argv=[sys.argv[0], *sys.argv[4:]])
+    main("snakemake", "tool", "cloud_maker")

@@ -7,28 +7,21 @@ usage: test_wireframe_step_case.py MAKE_STEP_CASE WRITE_STEP_PARTS [options of u
 import collections
 import json
 import math
-import pathlib
 import shutil
 import subprocess
-import sys
-import tempfile
-import unittest
 
-from case_test import USAGE_ERROR, BAD_INPUT, NO_SHARP_CURVE, Case_test, read_cloud
+from program_test import BAD_INPUT, NO_FEATURE, USAGE_ERROR, Program_test, main, read_cloud
 
-WRITE_PARTS = None
 R = 0.02
 
 
-class Step_case_test(Case_test):
+class Step_case_test(Program_test):
     @classmethod
     def setUpClass(cls):
-        cls.parts = pathlib.Path(tempfile.mkdtemp())
-        subprocess.run([WRITE_PARTS, cls.parts], check=True, timeout=120, stdout=subprocess.DEVNULL)
-
-    @classmethod
-    def tearDownClass(cls):
-        shutil.rmtree(cls.parts, ignore_errors=True)
+        super().setUpClass()
+        cls.parts = cls.shared / "parts"
+        cls.parts.mkdir()
+        subprocess.run([cls.part_writer, cls.parts], check=True, timeout=120, stdout=subprocess.DEVNULL)
 
     def make(self, name, *arguments):
         """The truth and the exact cloud; with the shortest curve 20 r long unless the arguments say else."""
@@ -119,7 +112,7 @@ class Step_case_test(Case_test):
         self.assertNotEqual(clouds[0], clouds[2])
 
     def test_bad_parts(self):
-        message = self.run_tool(self.parts / "sphere.stp", "-o", self.folder, code=NO_SHARP_CURVE)
+        message = self.run_tool(self.parts / "sphere.stp", "-o", self.folder, code=NO_FEATURE)
         self.assertIn("no sharp curve", message)
         for name, content in (("empty", b""), ("text", b"hello\n"), ("binary", bytes(range(256)) * 10),
                               ("cut", (self.parts / "drilled_block.stp").read_bytes()[:3000])):
@@ -139,8 +132,7 @@ class Step_case_test(Case_test):
         shutil.copy(self.parts / "cone.stp", tree)
         shutil.copy(self.parts / "sphere.stp", tree / "below" / "ball.STEP")
         (tree / "bad.step").write_text("no part")
-        result = subprocess.run([self.tool, "--batch", tree, "-o", self.folder / "out", "--quantile-length", "20"],
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
+        result = self.execute(self.folder, "--batch", tree, "-o", "out", "--quantile-length", "20")
         self.assertEqual(result.returncode, BAD_INPUT, result.stderr)
         self.assertIn("1 cases made, 1 left out, 1 failed", result.stdout)
         self.assertIn("bad", result.stderr)
@@ -149,6 +141,4 @@ class Step_case_test(Case_test):
 
 
 if __name__ == "__main__":
-    Case_test.tool = sys.argv.pop(1)
-    WRITE_PARTS = sys.argv.pop(1)
-    unittest.main()
+    main("tool", "part_writer")

@@ -5,50 +5,24 @@ usage: test_wireframe_streaming.py EXTRACT_WIREFRAME MAKE_CLOUD [options of unit
 """
 
 import os
-import pathlib
 import resource
-import shutil
 import struct
-import subprocess
-import sys
-import tempfile
 import threading
-import unittest
 
-TOOL = MAKE_CLOUD = None
-TIME_LIMIT = 280
-BAD_INPUT = 3
+from program_test import BAD_INPUT, Program_test, header_and_points, main
+
 STREAMED = ("--points-in-memory", "2000")
 
 
-def header_and_points(path):
-    data = path.read_bytes()
-    end = data.index(b"end_header\n") + len(b"end_header\n")
-    return data[:end], list(struct.iter_unpack("<4f", data[end:]))
-
-
-class Streaming_test(unittest.TestCase):
+class Streaming_test(Program_test):
     @classmethod
     def setUpClass(cls):
-        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="wireframe_streaming_"))
-        cls.make("box_with_hole", "--points", 20000, "-o", "poisson.ply")
-        cls.make("box_with_hole", "--points", 20000, "--sampling", "uniform", "--field", "def", "-o", "random.ply")
+        super().setUpClass()
+        cls.make_cloud("poisson.ply", "box_with_hole", "--points", 20000)
+        cls.make_cloud("random.ply", "box_with_hole", "--points", 20000, "--sampling", "uniform", "--field", "def")
 
-    @classmethod
-    def tearDownClass(cls):
-        shutil.rmtree(cls.folder)
-
-    @classmethod
-    def make(cls, *arguments):
-        subprocess.run([MAKE_CLOUD, *map(str, arguments)], cwd=cls.folder, check=True, stdout=subprocess.DEVNULL,
-                       timeout=TIME_LIMIT)
-
-    def run_tool(self, *arguments, code=0, **options):
-        done = subprocess.run([TOOL, *map(str, arguments)], cwd=self.folder, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8", timeout=TIME_LIMIT,
-                              **options)
-        self.assertEqual(done.returncode, code, (done.args, done.stdout, done.stderr))
-        return done.stdout if code == 0 else done.stderr
+    def setUp(self):
+        self.folder = self.shared   # where these clouds are
 
     def wireframe(self, *arguments):
         self.run_tool(*arguments, "-o", "out.json")
@@ -108,7 +82,7 @@ class Streaming_test(unittest.TestCase):
 
     def test_memory(self):
         """Three million points, 48 MB, are read with hardly more memory than the tool itself takes."""
-        self.make("cylinder", "--points", 3000000, "--sampling", "uniform", "-o", "large.ply")
+        self.make_cloud("large.ply", "cylinder", "--points", 3000000, "--sampling", "uniform")
 
         def limit():
             resource.setrlimit(resource.RLIMIT_DATA, (200 << 20, 200 << 20))
@@ -120,5 +94,4 @@ class Streaming_test(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    TOOL, MAKE_CLOUD = (pathlib.Path(sys.argv[i]).resolve() for i in (1, 2))
-    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
+    main("tool", "cloud_maker")

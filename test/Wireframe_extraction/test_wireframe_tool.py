@@ -15,14 +15,14 @@ import stat
 import struct
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 import unittest.mock
 
-TOOL = MAKE_CLOUD = None
+from program_test import (BAD_INPUT, INTERNAL_ERROR, NO_FEATURE, SUCCESS, TIME_LIMIT, USAGE_ERROR, Program_test, main,
+                          read_cloud)
+
 HERE = pathlib.Path(__file__).resolve().parent
-TIME_LIMIT = 280
 WITH_CAD = os.environ.get("EXTRACT_WIREFRAME_WITH_CAD") == "1"   # whether the tool is built with OpenCASCADE
 STAGES = ["1_skeleton.ply", "2_feet.ply", "3_corners.ply", "4_clusters.ply", "5_graph.ply", "6_curves.ply"]
 # options that are refused without another one, and with what they are not
@@ -32,12 +32,6 @@ HELPERS = {"--view": ["--png", "x.png"], "--fuse": ["--patches"], "--use-indices
            "--corner-radius": ["--paper"], "--corner-sampling-ratio": ["--corner-measure=variance"],
            "--end-detection": ["--paper"], "--split-threshold": ["--graph-method", "subdivided"],
            "--keep-failed": ["--batch", "list.txt"]}
-SUCCESS, INTERNAL_ERROR, USAGE_ERROR, BAD_INPUT, NO_FEATURE = range(5)
-
-
-def make_cloud(path, *arguments):
-    subprocess.run([MAKE_CLOUD, *arguments, "-o", str(path)], check=True, stdout=subprocess.DEVNULL,
-                   timeout=TIME_LIMIT)
 
 
 def read_ply(path):
@@ -63,13 +57,6 @@ def read_ply(path):
     return result
 
 
-def read_cloud(path):
-    """A list of (x, y, z, distance)."""
-    vertices = read_ply(path)["vertex"]
-    field = next(name for name in ("distance", "distances", "sharpness") if name in vertices[0])
-    return [(v["x"], v["y"], v["z"], v[field]) for v in vertices]
-
-
 def write_cloud(path, cloud):
     pathlib.Path(path).write_text("".join(" ".join(repr(x) for x in row) + "\n" for row in cloud))
 
@@ -89,30 +76,18 @@ def farthest(points, others):
     return max(min(math.dist(p, q) for q in others) for p in points)
 
 
-class Tool_test(unittest.TestCase):
+class Tool_test(Program_test):
     @classmethod
     def setUpClass(cls):
-        cls.shared = pathlib.Path(tempfile.mkdtemp(prefix="wireframe_tool_"))
-        make_cloud(cls.shared / "box.ply", "box", "--points", "5000")
-        make_cloud(cls.shared / "cylinder.ply", "cylinder", "--points", "5000")
-        make_cloud(cls.shared / "noisy.ply", "box_with_hole", "--points", "8000", "--field", "def")
+        super().setUpClass()
+        cls.make_cloud("box.ply", "box", "--points", 5000)
+        cls.make_cloud("cylinder.ply", "cylinder", "--points", 5000)
+        cls.make_cloud("noisy.ply", "box_with_hole", "--points", 8000, "--field", "def")
         cls.box = read_cloud(cls.shared / "box.ply")
-
-    @classmethod
-    def tearDownClass(cls):
-        shutil.rmtree(cls.shared)
-
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="case_", dir=self.shared))
-
-    def run_tool(self, *arguments):
-        return subprocess.run([TOOL, *map(str, arguments)], cwd=self.folder, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8",
-                              timeout=TIME_LIMIT)
 
     def extract(self, *arguments):
         """Runs the tool, which has to succeed; returns what it said."""
-        done = self.run_tool(*arguments)
+        done = self.execute(self.folder, *arguments)
         self.assertEqual((done.returncode, done.stderr), (SUCCESS, ""), done.args)
         return done.stdout
 
@@ -123,7 +98,7 @@ class Tool_test(unittest.TestCase):
         """Runs the tool, which has to fail in one line with these words, and to leave every file as it is."""
         names = self.files()
         before = {name: (self.folder / name).read_bytes() for name in names if (self.folder / name).is_file()}
-        done = self.run_tool(*arguments)
+        done = self.execute(self.folder, *arguments)
         self.assertEqual(done.returncode, exit_code, (done.args, done.stderr))
         self.assertRegex(done.stderr, r"\Aextract_wireframe: error: [^\n]+\n\Z")
         for word in words:
@@ -242,8 +217,7 @@ class Tool_test(unittest.TestCase):
         for shape, counts in expected.items():
             with self.subTest(shape), self.quiet_about_leaks():
                 cloud = self.folder / (shape + ".ply")
-                subprocess.run([MAKE_CLOUD, shape, "--points", "20000", "-o", str(cloud)], check=True, timeout=300,
-                               stdout=subprocess.DEVNULL)
+                self.make_cloud(cloud, shape, "--points", 20000)
                 self.extract(cloud, "-o", "typed.step", "-o", "typed.json")
                 step = self.read_text("typed.step")
                 for kind in ("LINE", "CIRCLE", "ELLIPSE", "B_SPLINE_CURVE_WITH_KNOTS"):
@@ -254,8 +228,7 @@ class Tool_test(unittest.TestCase):
 
     def test_regularize(self):
         cloud = self.folder / "flange.ply"
-        subprocess.run([MAKE_CLOUD, "flange", "--points", "20000", "-o", str(cloud)], check=True, timeout=300,
-                       stdout=subprocess.DEVNULL)
+        self.make_cloud(cloud, "flange", "--points", 20000)
         said = {}
         for name, more in (("plain.json", []), ("regular.json", ["--regularize"])):
             said[name] = self.extract(cloud, "-o", name, *more)
@@ -473,7 +446,7 @@ class Tool_test(unittest.TestCase):
         import pty
         for more, is_loud in (([], True), (["--quiet"], False)):
             leader, follower = pty.openpty()
-            process = subprocess.Popen([TOOL, str(self.shared / "box.ply"), "-o", "out.json", *more],
+            process = subprocess.Popen([self.tool, str(self.shared / "box.ply"), "-o", "out.json", *more],
                                        cwd=self.folder, stdout=subprocess.PIPE, stderr=follower)
             os.close(follower)
             shown = b""
@@ -643,7 +616,7 @@ class Tool_test(unittest.TestCase):
 
     def assert_full(self, outputs, name="full.json"):
         names = self.files()
-        done = self.run_tool("box.ply", *outputs)
+        done = self.execute(self.folder, "box.ply", *outputs)
         self.assertEqual(done.returncode, INTERNAL_ERROR, done.stderr)
         self.assertRegex(done.stderr, r"\Aextract_wireframe: error: " + re.escape(name) + r": [^\n]*full[^\n]*\n\Z")
         self.assertEqual(done.stdout, "")
@@ -777,7 +750,4 @@ class Tool_test(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 3:
-        sys.exit(__doc__)
-    TOOL, MAKE_CLOUD = (str(pathlib.Path(name).resolve()) for name in sys.argv[1:3])
-    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
+    main("tool", "cloud_maker")

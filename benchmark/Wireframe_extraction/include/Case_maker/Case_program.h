@@ -16,8 +16,9 @@
 #include <Case_maker/Annotated_shape.h>
 #include <Case_maker/Case_error.h>
 #include <Case_maker/choose_scale.h>
+#include <Case_maker/number_check.h>
 #include <Sample_solids/field_error.h>
-#include <Sample_solids/output.h>
+#include <Sample_solids/write_case.h>
 
 #include <CLI/CLI.hpp>
 
@@ -34,11 +35,6 @@
 #include <string>
 #include <system_error>
 #include <vector>
-
-// the build tells the version of the package
-#ifndef WIREFRAME_EXTRACTION_VERSION_STRING
-#define WIREFRAME_EXTRACTION_VERSION_STRING "unknown"
-#endif
 
 namespace Case_maker {
 
@@ -67,14 +63,14 @@ public:
     app.add_option("--name", case_name, "name of the directory of a single shape; default: that of its file");
     app.add_option("--batch", batch, "make a case of every shape in this directory and those below");
     app.add_option("--r,--sampling-distance", rule.sampling_distance, "sampling distance, after scaling")
-      ->capture_default_str()->check(positive());
+      ->capture_default_str()->check(number_check());
     app.add_option("--quantile", rule.quantile,
                    "shapes are scaled by this quantile of the lengths of their sharp curves; 0 is the shortest "
                    "curve, 1 the longest")
       ->capture_default_str()->check(CLI::Range(0., 1.));
     app.add_option("--quantile-length", rule.quantile_length,
                    "how long the curves of this quantile become, in sampling distances")
-      ->capture_default_str()->check(positive());
+      ->capture_default_str()->check(number_check());
     app.add_option("--max-points", rule.max_points, "most points of a cloud")
       ->capture_default_str()->check(CLI::Range(std::size_t(50), std::size_t(100000000)));
     app.add_option("--too-many", too_many,
@@ -82,7 +78,7 @@ public:
                    "become shorter, or left out")
       ->capture_default_str()->check(CLI::IsMember({"coarsen", "skip"}));
     app.add_option("--truncate", sampling.truncation, "upper bound of the field, in sampling distances")
-      ->capture_default_str()->check(positive());
+      ->capture_default_str()->check(number_check());
     app.add_option("--field-scope", scope,
                    "which sharp curves count: those of the point's own surface and the surfaces adjacent to it, "
                    "or all")
@@ -127,16 +123,6 @@ public:
   }
 
 private:
-  static CLI::Validator positive()
-  {
-    return CLI::Validator([](std::string& text)
-    {
-      double x = 0;
-      const bool is_number = CLI::detail::lexical_cast(text, x) && std::isfinite(x);
-      return is_number && x > 0 ? std::string() : "'" + text + "' is not a positive number";
-    }, "");
-  }
-
   void check()
   {
     if (output.empty())
@@ -228,9 +214,7 @@ private:
     std::cout << text.str() << std::endl;
     for (const std::string& field : fields)
     {
-      const Field_kind kind = field == "exact" ? Field_kind::EXACT
-                                             : field == "def" ? Field_kind::DEF
-                                                              : Field_kind::NOISY;
+      const Field_kind kind = field_kind_of(field);
       Cloud cloud = exact;
       disturb(cloud, kind, kind == Field_kind::NOISY ? position_noise : 0., sampling.seed);
       write(directory / (field + ".ply"), [&](std::ostream& out) { return write_ply(out, cloud); });

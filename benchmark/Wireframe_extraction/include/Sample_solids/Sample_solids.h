@@ -26,8 +26,9 @@
 /// plate's thickness 2), clouds have 5,000 to 30,000 points.
 
 #include <Sample_solids/Ground_truth.h>
-#include <Sample_solids/output.h>
+#include <Sample_solids/make_solid.h>
 #include <Sample_solids/sampling.h>
-#include <Sample_solids/shapes.h>
+#include <Sample_solids/scale.h>
+#include <Sample_solids/write_case.h>
 
 #endif // SAMPLE_SOLIDS_SAMPLE_SOLIDS_H

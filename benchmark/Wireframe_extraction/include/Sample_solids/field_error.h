@@ -31,6 +31,12 @@ inline const char* name_of(Field_kind kind)
   return kind == Field_kind::EXACT ? "exact" : kind == Field_kind::DEF ? "def" : "noisy";
 }
 
+/// returns the kind with the given name, which has to be one of these.
+inline Field_kind field_kind_of(const std::string& name)
+{
+  return name == "exact" ? Field_kind::EXACT : name == "def" ? Field_kind::DEF : Field_kind::NOISY;
+}
+
 /// Points on a solid with the distance to its sharp curves.
 struct Cloud
 {

@@ -41,6 +41,16 @@ struct Run_options
 
 namespace internal {
 
+// a row without values
+inline Benchmark_row row_of(const Benchmark_case& c)
+{
+  Benchmark_row row;
+  row.family = c.family;
+  row.name = c.name;
+  row.field = c.field;
+  return row;
+}
+
 // the last line that says something, in one line of moderate length
 inline std::string last_line(const fs::path& path)
 {
@@ -122,10 +132,7 @@ inline Benchmark_row run_case(const Benchmark_case& c, const Run_options& option
   fs::remove(result, ignored);
   fs::remove(errors, ignored);
 
-  Benchmark_row row;
-  row.family = c.family;
-  row.name = c.name;
-  row.field = c.field;
+  Benchmark_row row = internal::row_of(c);
   set_scores(row, scores);
   if (truth.number_of_points > 0)
     row.values["points"] = double(truth.number_of_points);
@@ -138,10 +145,7 @@ inline Benchmark_row run_case(const Benchmark_case& c, const Run_options& option
 /// returns the row of a case that failed outside of the tool. Throws as `run_case()`.
 inline Benchmark_row failed_case(const Benchmark_case& c, const std::string& failure)
 {
-  Benchmark_row row;
-  row.family = c.family;
-  row.name = c.name;
-  row.field = c.field;
+  Benchmark_row row = internal::row_of(c);
   set_scores(row, Wireframe_evaluation::failed_scores(Wireframe_evaluation::read_truth(c.truth.string()), failure));
   return row;
 }

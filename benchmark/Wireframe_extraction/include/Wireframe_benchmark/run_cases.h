@@ -61,10 +61,7 @@ inline std::string row_as_text(const std::function<Benchmark_row()>& make_row)
 
 inline Benchmark_row row_of_text(const Benchmark_case& c, const Json& document)
 {
-  Benchmark_row row;
-  row.family = c.family;
-  row.name = c.name;
-  row.field = c.field;
+  Benchmark_row row = row_of(c);
   row.failure = document["failure"].get<std::string>();
   for (const auto& value : document["values"].items())
     if (value.value().is_number())

@@ -12,7 +12,7 @@
 #ifndef WIREFRAME_PERFORMANCE_PIPELINE_H
 #define WIREFRAME_PERFORMANCE_PIPELINE_H
 
-#include <Wireframe_performance/Case.h>
+#include <Wireframe_performance/Timed_cloud.h>
 
 #include <CGAL/extract_wireframe.h>
 #include <CGAL/Wireframe_extraction/IO/read_distance_cloud.h>
@@ -43,7 +43,7 @@ class Pipeline
 {
   typedef CGAL::Wireframe_skeleton<Kernel> Skeleton;
 
-  Case m_case;
+  Timed_cloud m_case;
   std::string m_filename;
   Cloud m_cloud;
   double m_sampling_distance = 0.;
@@ -55,7 +55,7 @@ class Pipeline
 
 public:
   /// makes the cloud, writes it into a file in this folder, and runs all stages.
-  Pipeline(const Case& c, const std::string& folder) : m_case(c)
+  Pipeline(const Timed_cloud& c, const std::string& folder) : m_case(c)
   {
     // several of these programs may run at once
     m_filename = folder + "/wireframe_extraction_benchmark_" + std::to_string(std::random_device()()) + ".ply";
@@ -79,7 +79,7 @@ public:
   Pipeline& operator=(const Pipeline&) = delete;
   ~Pipeline() { std::remove(m_filename.c_str()); }
 
-  const Case& of() const { return m_case; }
+  const Timed_cloud& of() const { return m_case; }
   std::size_t size() const { return m_cloud.size(); }
   std::size_t skeleton_size() const { return m_selected.size(); }
   std::size_t support_size() const { return m_selected.support_size(); }

@@ -13,6 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CHUNKED_CLOUD_READER_H
 
 #include <CGAL/Wireframe_extraction/IO/internal/Chunked_input.h>
+#include <CGAL/Wireframe_extraction/IO/internal/Sample_chunk.h>
 #include <CGAL/Wireframe_extraction/IO/internal/Sample_filter.h>
 #include <CGAL/Wireframe_extraction/IO/internal/text_tools.h>
 
@@ -35,8 +36,6 @@ public:
   const std::string& error() const { return error_; }
 
 protected:
-  static constexpr std::size_t samples_per_chunk = 4096;
-
   // `kind` is what lines that are too long are too long for
   Chunked_cloud_reader(std::istream& stream, const std::string& filename, const Cloud_reader_options& options,
                        const char* kind)
@@ -90,17 +89,13 @@ protected:
   template <class Sink>
   bool keep(Distance_sample sample, std::size_t line, Sink& sink)
   {
-    if(filter_(sample, line))
-      chunk_.push_back(sample);
-    return chunk_.size() < samples_per_chunk || flush(sink);
+    return !filter_(sample, line) || chunk_.add(sample, sink) || fail_as_stopped();
   }
 
   template <class Sink>
   bool flush(Sink& sink)
   {
-    const bool goes_on = chunk_.empty() || sink(chunk_.data(), chunk_.data() + chunk_.size());
-    chunk_.clear();
-    return goes_on || fail(filename_ + ": reading was stopped");
+    return chunk_.flush(sink) || fail_as_stopped();
   }
 
   Chunked_input input_;
@@ -110,8 +105,10 @@ protected:
   std::string error_;
 
 private:
+  bool fail_as_stopped() { return fail(filename_ + ": " + Sample_chunk::stopped_text()); }
+
   const char* kind_;
-  std::vector<Distance_sample> chunk_;
+  Sample_chunk chunk_;
 };
 
 } // namespace internal

@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_NUMBER_ARRAY_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_NUMBER_ARRAY_H
 
+#include <CGAL/Wireframe_extraction/IO/internal/Sample_chunk.h>
 #include <CGAL/Wireframe_extraction/IO/internal/Sample_filter.h>
 #include <CGAL/Wireframe_extraction/IO/internal/text_tools.h>
 
@@ -157,8 +158,6 @@ public:
   }
 
 private:
-  static constexpr std::size_t samples_per_chunk = 4096;
-
   bool fail(const std::string& error)
   {
     error_ = error;
@@ -314,7 +313,8 @@ private:
   bool hand_out_some(const std::string& filename, const Number_array& points, const Number_array& distances,
                      const Number_array& indices, Sink& sink)
   {
-    std::vector<Distance_sample> chunk;
+    const std::string stopped = filename + ": " + Sample_chunk::stopped_text();
+    Sample_chunk chunk;
     for(std::size_t i = 0; i < number_of_points_; ++i)
     {
       const double* const p = points.values.data() + i * number_of_columns_;
@@ -323,16 +323,10 @@ private:
         sample.distance = distances.values[i];
       if(!indices.values.empty())
         sample.index = static_cast<std::uint64_t>(indices.values[i]);
-      if(filter_(sample, 0))
-        chunk.push_back(sample);
-      if(chunk.size() == samples_per_chunk || (i + 1 == number_of_points_ && !chunk.empty()))
-      {
-        if(!sink(chunk.data(), chunk.data() + chunk.size()))
-          return fail(filename + ": reading was stopped");
-        chunk.clear();
-      }
+      if(filter_(sample, 0) && !chunk.add(sample, sink))
+        return fail(stopped);
     }
-    return true;
+    return chunk.flush(sink) || fail(stopped);
   }
 
   const Cloud_reader_options& options_;

@@ -240,7 +240,7 @@ private:
     const std::size_t entry_size = static_cast<std::size_t>(header_.elements[vertex_element_].entry_size());
     if(entry_size > Chunked_input::chunk_size)
       return fail(filename_ + ": a vertex of " + std::to_string(entry_size) + " bytes is too large");
-    const std::size_t per_chunk = (std::max)(std::size_t(1), (std::min)(samples_per_chunk,
+    const std::size_t per_chunk = (std::max)(std::size_t(1), (std::min)(Sample_chunk::capacity,
                                                              Chunked_input::chunk_size / entry_size));
     for(std::uint64_t left = number_of_vertices(); left > 0;)
     {

@@ -12,8 +12,9 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_TEXT_CLOUD_READER_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_TEXT_CLOUD_READER_H
 
-#include <CGAL/Wireframe_extraction/IO/internal/Chunked_input.h>
+#include <CGAL/Wireframe_extraction/IO/internal/Sample_chunk.h>
 #include <CGAL/Wireframe_extraction/IO/internal/Sample_filter.h>
+#include <CGAL/Wireframe_extraction/IO/internal/Text_table.h>
 #include <CGAL/Wireframe_extraction/IO/internal/text_tools.h>
 
 #include <algorithm>
@@ -28,144 +29,6 @@
 namespace CGAL {
 namespace IO {
 namespace internal {
-
-// Hands out the lines of a text file that hold data, split into columns.
-class Text_table
-{
-public:
-  Text_table(std::istream& stream, const std::string& filename) : input_(stream), filename_(filename) {}
-
-  enum class Row { DATA, END, FAILED };
-
-  // The first line of data decides what separates the columns: a semicolon if it has one, else a comma if it
-  // has one, else blanks. So a decimal comma can never pass as a separator unnoticed.
-  Row next_row(std::vector<std::string_view>& fields)
-  {
-    std::string_view line;
-    for(;;)
-    {
-      const Chunked_input::Line_status status = input_.next_line(line);
-      if(status == Chunked_input::Line_status::TOO_LONG)
-        return fail_after_line("is longer than a line of numbers can be; is this a text file?");
-      if(status == Chunked_input::Line_status::END)
-        return input_.has_failed() ? fail_after_line("reading failed") : Row::END;
-      if(input_.line_number() == 1 && starts_with(line, "\xEF\xBB\xBF"))
-        line.remove_prefix(3);
-      line = trim(line);
-      if(is_comment(line))
-      {
-        if(number_of_rows_ == 0)
-          last_comment_ = std::string(line.substr(line[0] == '#' ? 1 : 2));
-        continue;
-      }
-      line = trim(line.substr(0, line.find('#')));
-      if(line.empty())
-        continue;
-      if(!is_separator_fixed_ && has_control_characters(line))
-        return fail_with(line_number(), "holds bytes that are no text; only plain text in ASCII or UTF-8 "
-                                        "is read");
-      split(line, fields);
-      return Row::DATA;
-    }
-  }
-
-  // to be called when the first row of data was recognised: from now on its separator is the separator
-  void fix_separator() { is_separator_fixed_ = true; }
-
-  // Whether columns of numbers were split at commas that can only be decimal ones: "0,5 1,5" is 0, 5 1 and 5.
-  bool has_decimal_commas(const std::vector<std::string_view>& fields) const
-  {
-    std::vector<std::string_view> words;
-    double value;
-    return separator_ == ',' && std::any_of(fields.begin(), fields.end(), [&](std::string_view field)
-    {
-      split_at_blanks(field, words);
-      return words.size() > 1 && std::all_of(words.begin(), words.end(),
-                                             [&](std::string_view word) { return parse_number(word, value); });
-    });
-  }
-
-  // the last comment before the first row of data
-  const std::string& last_comment() const { return last_comment_; }
-
-  bool is_empty_file() { return input_.consumed() == 0; }
-  std::size_t line_number() const { return input_.line_number(); }
-  const std::string& filename() const { return filename_; }
-  const std::string& error() const { return error_; }
-
-  bool fail(const std::string& error)
-  {
-    error_ = error;
-    return false;
-  }
-
-  bool fail_at_line(const std::string& what)
-  {
-    return fail(filename_ + ":" + std::to_string(line_number()) + ": " + what);
-  }
-
-  static char find_separator(std::string_view line)
-  {
-    if(line.find(';') != std::string_view::npos)
-      return ';';
-    return line.find(',') != std::string_view::npos ? ',' : ' ';
-  }
-
-  static void split_by(char separator, std::string_view line, std::vector<std::string_view>& fields)
-  {
-    if(separator == ' ')
-      split_at_blanks(line, fields);
-    else
-      split_at(separator, line, fields);
-  }
-
-private:
-  static bool is_comment(std::string_view line)
-  {
-    return starts_with(line, "#") || starts_with(line, "//");
-  }
-
-  static bool has_control_characters(std::string_view line)
-  {
-    return std::any_of(line.begin(), line.end(),
-                       [](char c) { return static_cast<unsigned char>(c) < 32 && !is_blank(c); });
-  }
-
-  Row fail_with(std::size_t line_number, const std::string& what)
-  {
-    error_ = filename_ + ":" + std::to_string(line_number) + ": " + what;
-    return Row::FAILED;
-  }
-
-  Row fail_after_line(const std::string& what)
-  {
-    return fail_with(line_number() + 1, what);
-  }
-
-  void split(std::string_view line, std::vector<std::string_view>& fields)
-  {
-    ++number_of_rows_;
-    if(!is_separator_fixed_)
-      separator_ = find_separator(line);
-    split_by(separator_, line, fields);
-  }
-
-  Chunked_input input_;
-  std::string filename_;
-  std::string last_comment_;
-  std::string error_;
-  char separator_ = ' ';
-  bool is_separator_fixed_ = false;
-  std::size_t number_of_rows_ = 0;
-};
-
-// a number, or what was meant to be one, such as "1,5"
-inline bool looks_like_number(std::string_view field)
-{
-  double value;
-  return !field.empty() && (std::string_view("0123456789+-.").find(field[0]) != std::string_view::npos
-                            || parse_number(field, value));
-}
 
 // Reads the points and distances of a text file and hands them out chunk by chunk.
 class Text_cloud_reader
@@ -192,18 +55,16 @@ public:
         continue;
       if(number_of_columns_ == 0 && !find_columns(fields))
         return false;
-      if(!read_row(fields) || (chunk_.size() == samples_per_chunk && !flush(sink)))
+      if(!read_row(fields, sink))
         return false;
     }
-    return flush(sink) && is_count_as_promised() && is_cloud_usable();
+    return (chunk_.flush(sink) || fail_as_stopped()) && is_count_as_promised() && is_cloud_usable();
   }
 
   const Sample_filter& filter() const { return filter_; }
   const std::string& error() const { return table_.error(); }
 
 private:
-  static constexpr std::size_t samples_per_chunk = 4096;
-
   std::size_t number_of_wanted() const { return options_.distances == nullptr ? 4 : 3; }
 
   // A line of names, or the number of points alone, may stand before the first row of data.
@@ -345,7 +206,8 @@ private:
     return table_.fail(table_.filename() + ": " + what + "; the file's columns are: " + join(names_));
   }
 
-  bool read_row(const std::vector<std::string_view>& fields)
+  template <class Sink>
+  bool read_row(const std::vector<std::string_view>& fields, Sink& sink)
   {
     if(fields.size() != number_of_columns_)
       return table_.fail_at_line("the row has " + plural(fields.size(), "column", "columns")
@@ -360,18 +222,10 @@ private:
                                    + ", or leave the line out");
     }
     Distance_sample sample = { values[0], values[1], values[2], values[3] };
-    if(filter_(sample, table_.line_number()))
-      chunk_.push_back(sample);
-    return true;
+    return !filter_(sample, table_.line_number()) || chunk_.add(sample, sink) || fail_as_stopped();
   }
 
-  template <class Sink>
-  bool flush(Sink& sink)
-  {
-    const bool goes_on = chunk_.empty() || sink(chunk_.data(), chunk_.data() + chunk_.size());
-    chunk_.clear();
-    return goes_on || table_.fail(table_.filename() + ": reading was stopped");
-  }
+  bool fail_as_stopped() { return table_.fail(table_.filename() + ": " + Sample_chunk::stopped_text()); }
 
   bool is_count_as_promised()
   {
@@ -401,44 +255,8 @@ private:
   std::array<std::size_t, 4> columns_ = {{ 0, 1, 2, 3 }};
   bool has_promised_count_ = false;
   std::size_t promised_count_ = 0;
-  std::vector<Distance_sample> chunk_;
+  Sample_chunk chunk_;
 };
-
-// reads a text file of one distance per line
-inline bool read_separate_distances(std::istream& stream, const std::string& filename,
-                                    Separate_distances& distances, std::string& error)
-{
-  Text_table table(stream, filename);
-  std::vector<std::string_view> fields;
-  distances.filename = filename;
-  bool has_names = false;
-  Text_table::Row row;
-  while((row = table.next_row(fields)) == Text_table::Row::DATA)
-  {
-    double value = 0.;
-    if(fields.size() == 1 && parse_number(fields[0], value))
-    {
-      if(distances.first_bad_line == 0 && !(std::isfinite(value) && value >= 0.))
-        distances.first_bad_line = table.line_number();
-      distances.values.push_back(value);
-    }
-    else if(distances.values.empty() && !has_names && fields.size() == 1 && !looks_like_number(fields[0]))
-      has_names = true;
-    else
-    {
-      table.fail_at_line(fields.size() == 1 ? "the distance is " + no_number_text(fields[0])
-                                            : "a distances file has one number per line, this line has "
-                                              + std::to_string(fields.size()) + " columns; remove all but the "
-                                                "distance, and write decimals with a point");
-      break;
-    }
-  }
-  error = table.error();
-  if(error.empty() && distances.values.empty())
-    error = filename + ": "
-            + (table.is_empty_file() ? empty_file_text() : "holds no distances; write one for each point into it");
-  return error.empty();
-}
 
 } // namespace internal
 } // namespace IO

@@ -21,6 +21,7 @@
 #include <CGAL/Wireframe_extraction/IO/internal/Sample_filter.h>
 #include <CGAL/Wireframe_extraction/IO/internal/Text_cloud_reader.h>
 #include <CGAL/Wireframe_extraction/IO/internal/file_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/read_separate_distances.h>
 #include <CGAL/Wireframe_extraction/IO/internal/text_tools.h>
 
 #include <CGAL/config.h>

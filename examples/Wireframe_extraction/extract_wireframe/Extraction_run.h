@@ -1,0 +1,295 @@
+// One cloud in, its wireframe and all that shows it out.
+
+#ifndef EXTRACT_WIREFRAME_EXTRACTION_RUN_H
+#define EXTRACT_WIREFRAME_EXTRACTION_RUN_H
+
+#include "Command_line.h"
+#include "Error.h"
+#include "Options.h"
+#include "Output_files.h"
+#include "Progress.h"
+#include "Stage_folder.h"
+#include "Stage_recorder.h"
+#include "Stage_visitor.h"
+#include "open_input.h"
+#include "run_batch.h"
+#include "shown_cloud.h"
+#include "summary.h"
+#include "write_page.h"
+#include "write_picture.h"
+
+#include <CGAL/extract_wireframe.h>
+#include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
+#include <CGAL/Wireframe_extraction/parameters.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tool {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Wireframe<Kernel> Wireframe;
+typedef CGAL::Wireframe_extraction_report Report;
+namespace parameters = CGAL::Wireframe_extraction::parameters;
+
+class Extraction_run
+{
+public:
+  Extraction_run(const Command_line& command_line, const Options& options)
+    : m_command_line(command_line), m_options(options), m_outputs(options)
+  {}
+
+  void run()
+  {
+    check_that_files_differ(m_options);
+    m_outputs.check();
+    if(m_options.has_stages)
+      throw_if(m_folder.make(m_options.stages_folder), USAGE_ERROR);
+    limit_threads();
+    Progress progress(!m_options.is_quiet && is_error_stream_terminal());
+    progress.start("reading");
+    const std::unique_ptr<Input_cloud> cloud = open();
+    Stage_recorder stages(m_folder, m_options.has_html);
+    const Wireframe wireframe = extract(*cloud, progress, stages);
+    throw_if(stages.error(), INTERNAL_ERROR);
+    throw_if(with_option_names(cloud->error_message()), BAD_INPUT);
+    throw_if_failed(wireframe);
+    m_number_of_skipped = cloud->number_of_skipped();
+    if(!cloud->note().empty())
+      m_notes.push_back(cloud->note());
+    const auto begin = Clock::now();
+    m_seconds.insert(m_seconds.begin(), m_report.seconds.begin(), m_report.seconds.end());
+    m_seconds.front().second += m_seconds_of_opening;
+    Cloud shown;
+    if((m_options.has_html || m_options.has_png) && !sample(*cloud, shown))
+      throw Error(BAD_INPUT, with_option_names(cloud->error_message()));
+    m_outputs.write(wireframe, pictures(shown, stages, wireframe));
+    m_seconds.emplace_back("writing", seconds_since(begin));
+    progress.clear();
+    m_number_of_curves = wireframe.curves.size();
+    if(!m_options.is_quiet)
+      summarize(wireframe, stages);
+  }
+
+  // what a batch tells of this cloud
+  Cloud_result result() const
+  {
+    Cloud_result result;
+    result.number_of_points = m_report.number_of_points;
+    result.number_of_curves = m_number_of_curves;
+    result.number_of_corners = m_report.number_of_corners;
+    result.sampling_distance = m_report.sampling_distance;
+    for(const std::string& warning : m_report.warnings)
+      result.warnings.push_back(m_command_line.with_option_names(warning));
+    return result;
+  }
+
+private:
+  typedef std::chrono::steady_clock Clock;
+
+  static double seconds_since(Clock::time_point begin)
+  {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+  }
+
+  static void throw_if(const std::string& error, Exit_code code)
+  {
+    if(!error.empty())
+      throw Error(code, error);
+  }
+
+  void limit_threads()
+  {
+    if(m_options.number_of_threads == 0)
+      return;
+#ifdef CGAL_LINKED_WITH_TBB
+    m_thread_limit = std::make_unique<tbb::global_control>(
+      tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(m_options.number_of_threads));
+#else
+    if(m_options.number_of_threads > 1)
+      m_notes.push_back("--threads has no effect: the tool was built without TBB and uses one thread");
+#endif
+  }
+
+  std::unique_ptr<Input_cloud> open()
+  {
+    const auto begin = Clock::now();
+    std::string error;
+    std::unique_ptr<Input_cloud> cloud = open_input(m_options.input, error);
+    throw_if(with_option_names(error), BAD_INPUT);
+    m_seconds_of_opening = seconds_since(begin);
+    return cloud;
+  }
+
+  // the name of a file, with which messages begin, stays as it is
+  std::string with_option_names(const std::string& text) const
+  {
+    std::size_t size = 0;
+    for(const std::string& name : m_options.input.files)
+      if(text.compare(0, name.size(), name) == 0)
+        size = (std::max)(size, name.size());
+    return text.substr(0, size) + m_command_line.with_option_names(text.substr(size));
+  }
+
+  // All parameters are given each time, so that the library is compiled for one pack of them.
+  Wireframe extract(Input_cloud& cloud, Progress& progress, Stage_recorder& stages)
+  {
+    const Extraction_options& options = m_options.extraction;
+    Stage_visitor visitor(progress, stages);
+    bool is_read = false;
+    const std::function<bool(double)> callback = [&, this](double share)
+    {
+      if(!is_read) // the first call comes once the cloud is known to be usable
+      {
+        is_read = true;
+        if(m_options.has_stages)
+          m_folder.remove_old_files();
+        progress.start("estimating the sampling distance");
+      }
+      progress.set(share);
+      return stages.error().empty();
+    };
+    return CGAL::extract_wireframe_from_source<Kernel>(cloud,
+      parameters::sampling_distance(m_options.sampling_distance)
+        .points_in_memory(static_cast<std::size_t>(m_options.points_in_memory))
+        .noise_level(options.noise_level)
+        .skeleton_distance(options.skeleton_distance)
+        .support_distance(options.support_distance)
+        .fitting_radius(options.fitting_radius)
+        .use_creases(options.use_creases)
+        .corner_measure(options.corner_measure)
+        .corner_sampling_ratio(options.corner_sampling_ratio)
+        .corner_radius(options.corner_radius)
+        .corner_variance(options.corner_variance)
+        .corner_residual(options.corner_residual)
+        .connection_radius(options.connection_radius)
+        .connection_angle(options.connection_angle)
+        .use_tangents(options.use_tangents)
+        .graph_method(options.graph_method)
+        .end_detection(options.end_detection)
+        .split_threshold(options.split_threshold)
+        .corner_reach(options.corner_reach)
+        .maximum_gap(options.maximum_gap)
+        .smooth_angle(options.smooth_angle)
+        .minimum_evidence(options.minimum_evidence)
+        .use_robust_loss(options.use_robust_loss)
+        .move_corners(options.move_corners)
+        .adapt_knots(options.adapt_knots)
+        .number_of_rounds(options.number_of_rounds)
+        .recognize_types(options.recognize_types)
+        .type_significance(options.type_significance)
+        .regularize(options.regularize)
+        .skip_invalid(m_options.input.skip_invalid)
+        .extraction_report(std::ref(m_report))
+        .visitor(std::ref(visitor))
+        .callback(callback));
+  }
+
+  void throw_if_failed(const Wireframe& wireframe) const
+  {
+    if(m_report.status == Report::Status::SUCCESS && !wireframe.is_empty())
+      return;
+    std::string text = m_report.message;
+    for(const std::string& warning : m_report.warnings)
+      text += "; " + warning;
+    text = m_options.input.files.front() + ": " + m_command_line.with_option_names(text);
+    if(m_report.status == Report::Status::INVALID_INPUT)
+      throw Error(BAD_INPUT, text);
+    if(m_report.status != Report::Status::NO_FEATURE)
+      throw Error(INTERNAL_ERROR, text);
+    throw Error(NO_FEATURE, text + (m_report.skeleton_size == 0
+                                      ? "; --skeleton-distance sets the threshold"
+                                      : "; --stages DIR shows what the stages found"));
+  }
+
+  Summary summary(const Wireframe& wireframe) const
+  {
+    return summary_of(m_options, wireframe, m_report, m_number_of_skipped + m_report.number_of_skipped_points);
+  }
+
+  // notes on how the input was taken, and what looks odd
+  std::vector<std::string> remarks() const
+  {
+    std::vector<std::string> texts;
+    for(const std::string& note : m_notes)
+      texts.push_back("Note: " + note);
+    for(const std::string& warning : m_report.warnings)
+      texts.push_back("Warning: " + m_command_line.with_option_names(warning));
+    return texts;
+  }
+
+  std::vector<Picture> pictures(const Cloud& cloud, const Stage_recorder& stages, const Wireframe& wireframe) const
+  {
+    std::vector<Picture> result;
+    if(m_options.has_html)
+      result.push_back({ m_options.html, [this, &cloud, &stages, &wireframe](std::ostream& stream, std::string& error)
+      {
+        return write_page(stream, page_texts(wireframe), cloud, stages.stages(), wireframe, error);
+      } });
+    if(m_options.has_png)
+      result.push_back({ m_options.png, [this, &cloud, &wireframe](std::ostream& stream, std::string& error)
+      {
+        return write_picture(stream, m_options.view, cloud, wireframe, error);
+      } });
+    return result;
+  }
+
+  Page_texts page_texts(const Wireframe& wireframe) const
+  {
+    Page_texts texts;
+    const std::vector<std::string>& files = m_options.input.files;
+    texts.title = std::filesystem::path(files.front()).filename().string()
+                  + (files.size() > 1 ? " and " + std::to_string(files.size() - 1) + " more" : "");
+    texts.unit = CGAL::IO::internal::symbol_of(m_options.unit);
+    texts.program = "extract_wireframe " WIREFRAME_EXTRACTION_VERSION_STRING;
+    texts.summary = summary(wireframe);
+    texts.seconds = m_seconds;
+    texts.warnings = remarks();
+    texts.parameters = m_command_line.parameters();
+    return texts;
+  }
+
+  void summarize(const Wireframe& wireframe, const Stage_recorder& stages) const
+  {
+    std::vector<std::string> files = m_options.outputs;
+    if(m_options.has_html)
+      files.push_back(m_options.html);
+    if(m_options.has_png)
+      files.push_back(m_options.png);
+    files.insert(files.end(), stages.written_files().begin(), stages.written_files().end());
+    print_summary(std::cout, summary(wireframe), m_seconds, files);
+    for(const std::string& remark : remarks())
+      std::cout << remark << '\n';
+  }
+
+  const Command_line& m_command_line;
+  const Options& m_options;
+  const Output_files<Kernel> m_outputs;
+  Stage_folder m_folder;
+  Report m_report;
+  std::size_t m_number_of_skipped = 0, m_number_of_curves = 0;
+  double m_seconds_of_opening = 0.;
+  std::vector<std::pair<std::string, double> > m_seconds;
+  std::vector<std::string> m_notes;
+#ifdef CGAL_LINKED_WITH_TBB
+  std::unique_ptr<tbb::global_control> m_thread_limit;
+#endif
+};
+
+} // namespace tool
+
+#endif // EXTRACT_WIREFRAME_EXTRACTION_RUN_H

@@ -1,0 +1,109 @@
+// The command line tool: a cloud with distances in, its wireframe out. See extract_wireframe --help.
+
+#include "Command_line.h"
+#include "Error.h"
+#include "Extraction_run.h"
+#include "Options.h"
+#include "Output_files.h"
+#include "run_batch.h"
+
+#ifdef EXTRACT_WIREFRAME_WITH_GLOG
+#include <glog/logging.h>
+#endif
+
+#include <algorithm>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <new>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace tool {
+
+// Does some work, and returns how it ended: the exit code, and what went wrong.
+std::pair<int, std::string> outcome_of(const std::function<int()>& work)
+{
+  try
+  {
+    return { work(), std::string() };
+  }
+  catch(const Error& error)
+  {
+    return { error.exit_code, error.what() };
+  }
+  catch(const std::bad_alloc&)
+  {
+    return { INTERNAL_ERROR, "there is not enough memory for this cloud" };
+  }
+  catch(const std::exception& error)
+  {
+    return { INTERNAL_ERROR, std::string("unexpected: ") + error.what() };
+  }
+}
+
+int run_one(const Command_line& command_line, const Options& options)
+{
+  Extraction_run(command_line, options).run();
+  return SUCCESS;
+}
+
+// Cloud by cloud, each in a process of its own, where this is the same as if the tool were called for it.
+int run_many(const Command_line& command_line, const Options& options)
+{
+  Options of_cloud = options;
+  of_cloud.is_quiet = true;
+  if(of_cloud.number_of_threads == 0)
+    of_cloud.number_of_threads = (std::max)(number_of_processors() / (std::max)(options.batch.number_of_jobs, 1), 1);
+  if(options.batch.number_of_jobs == 0)
+    of_cloud.number_of_threads = (std::max)(options.number_of_threads, 1);
+  for(const std::string& format : options.batch.formats)
+    Output_files<Kernel>::check_extension("--format ." + format);
+  return run_batch(options.batch, [&](const std::string& cloud, const std::vector<std::string>& outputs)
+  {
+    Cloud_result result;
+    of_cloud.input.files = { cloud };
+    of_cloud.outputs = outputs;
+    std::tie(result.exit_code, result.error) = outcome_of([&]
+    {
+      Extraction_run run(command_line, of_cloud);
+      run.run();
+      result = run.result();
+      return SUCCESS;
+    });
+    return result;
+  });
+}
+
+int parse_and_run(int argc, char** argv)
+{
+  Options options;
+  Command_line command_line(options);
+  try
+  {
+    command_line.parse(argc, argv);
+  }
+  catch(const CLI::ParseError& error)
+  {
+    if(error.get_exit_code() == 0)
+      return command_line.show_help_or_version(error);
+    throw Error(USAGE_ERROR, std::string(error.what()) + " (extract_wireframe --help tells more)");
+  }
+  return options.has_batch ? run_many(command_line, options) : run_one(command_line, options);
+}
+
+} // namespace tool
+
+int main(int argc, char** argv)
+{
+#ifdef EXTRACT_WIREFRAME_WITH_GLOG
+  // Ceres logs what it cannot solve, which the library looks at by itself, to the standard error stream
+  FLAGS_minloglevel = google::GLOG_FATAL;
+#endif
+  const std::pair<int, std::string> outcome = tool::outcome_of([=] { return tool::parse_and_run(argc, argv); });
+  if(!outcome.second.empty())
+    std::cerr << "extract_wireframe: error: " << tool::one_line(outcome.second) << '\n';
+  return outcome.first;
+}

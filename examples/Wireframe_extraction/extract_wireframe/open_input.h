@@ -1,0 +1,42 @@
+// The clouds that the tool extract_wireframe reads. The readers are compiled apart from the rest.
+
+#ifndef EXTRACT_WIREFRAME_OPEN_INPUT_H
+#define EXTRACT_WIREFRAME_OPEN_INPUT_H
+
+#include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
+#include <CGAL/Wireframe_extraction/policies.h>
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tool {
+
+// what is to be read, and how
+struct Input
+{
+  std::vector<std::string> files;        // one, or patches
+  std::string distances;                 // a file of its own
+  bool has_distances = false, are_patches = false;
+  std::string distance_property, points_dataset, distances_dataset, indices_dataset;
+  bool use_indices = true, skip_invalid = false;
+  CGAL::Wireframe_extraction::Patch_fusion fusion = CGAL::Wireframe_extraction::Patch_fusion::MINIMUM;
+};
+
+// A cloud that stays in its file, or one in memory.
+class Input_cloud : public CGAL::Wireframe_extraction::Distance_cloud_source
+{
+public:
+  virtual std::size_t number_of_skipped() const = 0;
+
+  // what the user shall know
+  virtual std::string note() const { return std::string(); }
+};
+
+// Opens a cloud. Patches, and what can be read only once, are read at once: then `error` may have what went wrong.
+std::unique_ptr<Input_cloud> open_input(const Input& input, std::string& error);
+
+} // namespace tool
+
+#endif // EXTRACT_WIREFRAME_OPEN_INPUT_H

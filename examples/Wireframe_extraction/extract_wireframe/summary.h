@@ -1,0 +1,148 @@
+// What the tool extract_wireframe says when it is done.
+
+#ifndef EXTRACT_WIREFRAME_SUMMARY_H
+#define EXTRACT_WIREFRAME_SUMMARY_H
+
+#include "Options.h"
+
+#include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
+
+#include <CGAL/number_utils.h>
+
+#include <cstddef>
+#include <cstdio>
+#include <map>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tool {
+
+inline std::string short_number(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.4g", value);
+  return text;
+}
+
+inline std::string seconds_text(double seconds)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.2f", seconds);
+  return text;
+}
+
+inline std::string counted(std::size_t count, const std::string& one, const std::string& many)
+{
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+// the curves of one kind, open and closed ones
+struct Curve_counts
+{
+  std::size_t open = 0, closed = 0;
+};
+
+inline std::pair<const char*, const char*> kind_names(CGAL::Wireframe_curve_type type)
+{
+  switch(type)
+  {
+    case CGAL::Wireframe_curve_type::LINE: return { "line", "lines" };
+    case CGAL::Wireframe_curve_type::CIRCLE: return { "circle", "circles" };
+    case CGAL::Wireframe_curve_type::ARC: return { "circular arc", "circular arcs" };
+    case CGAL::Wireframe_curve_type::ELLIPSE: return { "ellipse", "ellipses" };
+    case CGAL::Wireframe_curve_type::ELLIPTIC_ARC: return { "elliptic arc", "elliptic arcs" };
+    default: return { "B-spline", "B-splines" };
+  }
+}
+
+template <class GeomTraits>
+std::string curves_text(const CGAL::Wireframe<GeomTraits>& wireframe)
+{
+  std::map<CGAL::Wireframe_curve_type, Curve_counts> counts;
+  for(const auto& curve : wireframe.curves)
+    ++(curve.is_closed() ? counts[curve.type].closed : counts[curve.type].open);
+  std::string text;
+  for(const auto& kind : counts)
+  {
+    const auto names = kind_names(kind.first);
+    const Curve_counts& of_kind = kind.second;
+    text += (text.empty() ? "" : ", ") + counted(of_kind.open + of_kind.closed, names.first, names.second)
+            + " (" + std::to_string(of_kind.open) + " open, " + std::to_string(of_kind.closed) + " closed)";
+  }
+  return text;
+}
+
+// a length in the cloud's unit and in sampling distances
+inline std::string length_text(double length, double sampling_distance)
+{
+  return short_number(length)
+         + (sampling_distance > 0. ? " = " + short_number(length / sampling_distance) + " r" : "");
+}
+
+inline void print_row(std::ostream& out, const std::string& name, const std::string& text)
+{
+  out << name << std::string(name.size() < 12 ? 12 - name.size() : 1, ' ') << text << '\n';
+}
+
+inline std::string points_text(const CGAL::Wireframe_extraction_report& report, std::size_t number_of_skipped)
+{
+  std::string text = std::to_string(report.number_of_points);
+  if(number_of_skipped > 0)
+    text += ", " + std::to_string(number_of_skipped) + " more skipped as invalid";
+  if(report.number_of_duplicates > 0)
+    text += ", " + std::to_string(report.number_of_duplicates) + " of the skeleton twice";
+  return text;
+}
+
+inline std::string times_text(const std::vector<std::pair<std::string, double> >& seconds)
+{
+  std::string text;
+  double sum = 0.;
+  for(const auto& stage : seconds)
+  {
+    text += (text.empty() ? "" : ", ") + stage.first + " " + seconds_text(stage.second);
+    sum += stage.second;
+  }
+  return seconds_text(sum) + " (" + text + ")";
+}
+
+// the rows of a table: a name and a text each
+typedef std::vector<std::pair<std::string, std::string> > Summary;
+
+template <class GeomTraits>
+Summary summary_of(const Options& options, const CGAL::Wireframe<GeomTraits>& wireframe,
+                   const CGAL::Wireframe_extraction_report& report, std::size_t number_of_skipped)
+{
+  const double r = report.sampling_distance;
+  Summary rows;
+  rows.emplace_back("Points", points_text(report, number_of_skipped));
+  rows.emplace_back("r", short_number(r) + (options.sampling_distance > 0. ? " (given)" : " (estimated)"));
+  rows.emplace_back("Noise", length_text(report.noise, r));
+  rows.emplace_back("Skeleton", counted(report.skeleton_size, "point", "points"));
+  rows.emplace_back("Corners", std::to_string(report.number_of_corners)
+    + (report.number_of_free_ends == 0 ? "" : ", and " + std::to_string(report.number_of_free_ends) + " free ends"));
+  rows.emplace_back("Curves", curves_text(wireframe));
+  for(const std::string& regularity : report.regularities)
+    rows.emplace_back("Regular", regularity); // curves are counted from 0, as in the files
+  rows.emplace_back("Residuals", "rms " + length_text(report.root_mean_square, r) + ", largest "
+                                   + length_text(report.maximum_deviation, r));
+  return rows;
+}
+
+inline void print_summary(std::ostream& out, const Summary& summary,
+                          const std::vector<std::pair<std::string, double> >& seconds,
+                          const std::vector<std::string>& written_files)
+{
+  for(const auto& row : summary)
+    print_row(out, row.first, row.second);
+  print_row(out, "Seconds", times_text(seconds));
+  for(const std::string& name : written_files)
+    print_row(out, "Written", name);
+}
+
+} // namespace tool
+
+#endif // EXTRACT_WIREFRAME_SUMMARY_H
