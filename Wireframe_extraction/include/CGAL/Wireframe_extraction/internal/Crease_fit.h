@@ -146,12 +146,14 @@ public:
         best = crease;
       return crease.residual > 1.2 * options.surface_noise;
     };
+    // a corner ahead does not show in the residual where the points err more
+    const bool tells_of_corners = options.surface_noise < 0.05;
     for (double factor : {1.5, 1., 0.6, 0.4}) {
       const bool may_show_more = try_ball(factor, 0.);
+      if (previous && factor > 0.5 && (may_show_more || !tells_of_corners))
+        try_ball(factor, 0.6);
       if (!may_show_more)
         break;
-      if (previous && factor > 0.5)
-        try_ball(factor, 0.6);
     }
     return best;
   }
