@@ -62,10 +62,10 @@ def exponent(points, seconds):
 
 
 def number(value):
-    """Returns a number with three digits."""
+    """Returns a number with two digits, or more if it is large."""
     if value is None:
         return "-"
-    return f"{value:.3g}" if abs(value) < 100 else f"{value:.0f}"
+    return f"{value:.2g}" if abs(value) < 100 else f"{value:.0f}"
 
 
 def rows(measured):
@@ -76,10 +76,13 @@ def rows(measured):
             one, two = stages[stage, 1], stages.get((stage, 2))
             growth = exponent(*zip(*[(other[2], results[stage, 1]["cpu_time"]) for other, results in measured.items()
                                      if other[:2] == (shape, field)]))
+            # a stage that has nothing to do has noise only
+            ratio = one["cpu_time"] / floor["cpu_time"]
+            is_idle = ratio < 0.01
             yield {"shape": shape, "field": field, "points": points, "skeleton": int(one["skeleton"]),
-                   "curves": int(one["curves"]), "stage": stage, "ratio": one["cpu_time"] / floor["cpu_time"],
-                   "exponent": growth, "points_per_second": points / (one["cpu_time"] / 1e3),
-                   "speedup_with_2_threads": one["real_time"] / two["real_time"] if two else None,
+                   "curves": int(one["curves"]), "stage": stage, "ratio": None if is_idle else ratio,
+                   "exponent": None if is_idle else growth, "points_per_second": points / (one["cpu_time"] / 1e3),
+                   "speedup_with_2_threads": one["real_time"] / two["real_time"] if two and not is_idle else None,
                    "peak_bytes_per_point": one["peak_bytes"] / points if "peak_bytes" in one else None,
                    "peak_bytes_per_skeleton_point":
                        one["peak_bytes"] / max(1, one["skeleton"]) if "peak_bytes" in one else None}
@@ -133,7 +136,8 @@ def main():
         table = list(rows(run(arguments)))
         parts = [markdown(table, "ratio", "CPU time over that of the floor, one thread:"), growth(table),
                  markdown(table, "peak_bytes_per_point",
-                          "Peak of memory, beyond what there was before, in bytes per point:")]
+                          "Peak of memory, beyond what there was before, in bytes per point of the cloud:"),
+                 markdown(table, "peak_bytes_per_skeleton_point", "The same in bytes per point of the skeleton:")]
         if arguments.threads > 1:
             parts.append(markdown(table, "speedup_with_2_threads", "Speed-up with two threads:"))
         text = "\n".join(part for part in parts if part)
