@@ -105,8 +105,8 @@ public:
 // Positions farther than that from the features belong to no shape: scanners write such points where they saw nothing.
 constexpr double farthest_in_units = 1e9;
 
-// Moves the points of a band into local coordinates, whose origin is their mean. Returns how many were left out since they
-// are too far away.
+// Moves the points of a band into local coordinates, whose origin is their mean. Returns how many were left out since
+// they are too far away.
 inline std::size_t localize(Field_band& band, double unit, Vector& origin)
 {
   origin = median_position(band.points);
@@ -158,7 +158,8 @@ Wireframe_skeleton<GeomTraits> select_skeleton(const Cloud& cloud, double unit,
 
 // The points around the skeleton whatever their distances say: what the surface looks like there.
 template <class Cloud, class GeomTraits>
-void select_surroundings(const Cloud& cloud, const Extraction_options& options, Wireframe_skeleton<GeomTraits>& skeleton)
+void select_surroundings(const Cloud& cloud, const Extraction_options& options,
+                         Wireframe_skeleton<GeomTraits>& skeleton)
 {
   auto surroundings = std::make_shared<Field_band>();
   const Field_band& band = skeleton.band();
@@ -220,8 +221,8 @@ points below `support_distance`, which later stages fit to.
     \cgalParamDefault{3}
   \cgalParamNEnd
   \cgalParamNBegin{fitting_radius}
-    \cgalParamDescription{the radius of the balls in which later stages fit, in multiples of r; points within twice as much of the
-                          skeleton are kept for `refine_field()`}
+    \cgalParamDescription{the radius of the balls in which later stages fit, in multiples of r; points within twice
+                          as much of the skeleton are kept for `refine_field()`}
     \cgalParamType{`double`}
     \cgalParamDefault{4}
   \cgalParamNEnd
