@@ -1,9 +1,10 @@
 // Parts of the stages, on what is known in closed form or by trying all.
 
 #include <CGAL/Wireframe_extraction/internal/Curve_end_joiner.h>
-#include <CGAL/Wireframe_extraction/internal/polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/Primitive_curve.h>
 #include <CGAL/Wireframe_extraction/internal/Surface_evidence.h>
+#include <CGAL/Wireframe_extraction/internal/polyline_feet.h>
+#include <CGAL/Wireframe_extraction/internal/polyline_tools.h>
 
 #include <algorithm>
 #include <cassert>
@@ -83,6 +84,25 @@ void test_closed_curve_that_is_split_several_times()
   }
 }
 
+// places along a polyline that has a segment without length
+void test_polyline_walk()
+{
+  const Polyline polyline{Vector(0., 0., 0.), Vector(2., 0., 0.), Vector(2., 0., 0.), Vector(2., 3., 0.)};
+  const std::vector<double> lengths = arc_lengths(polyline);
+  assert((lengths == std::vector<double>{0., 2., 2., 5.}));
+  assert(polyline_length(polyline) == 5.);
+  const std::vector<double> increasing = arc_lengths(polyline, 0.5);
+  assert((increasing == std::vector<double>{0., 2., 2.5, 5.5}));
+  Polyline_walk walk(polyline, lengths);
+  assert(walk.advance_to(0.) == polyline[0]);
+  assert(walk.advance_to(0.5) == Vector(0.5, 0., 0.));
+  assert(walk.segment() == Vector(2., 0., 0.));
+  assert(walk.advance_to(2.) == polyline[1]);
+  assert(walk.advance_to(4.) == Vector(2., 2., 0.));
+  assert(walk.segment() == Vector(0., 3., 0.));
+  assert(walk.advance_to(5.) == polyline[3]);
+}
+
 // the nearest feet on several polylines, against trying every segment
 void test_nearest_feet()
 {
@@ -111,7 +131,11 @@ void test_nearest_feet()
       continue;
     ++valid;
     assert(std::abs(feet[i].distance - std::sqrt(nearest)) < 1e-9);
-    assert(std::abs((feet[i].point(polylines[feet[i].curve]) - band.points[i]).norm() - feet[i].distance) < 1e-9);
+    const Polyline& nearest_polyline = polylines[feet[i].curve];
+    assert(std::abs(feet[i].interpolate(arc_lengths(nearest_polyline))
+                    - arc_lengths(nearest_polyline)[feet[i].segment]
+                    - (feet[i].point(nearest_polyline) - nearest_polyline[feet[i].segment]).norm()) < 1e-9);
+    assert(std::abs((feet[i].point(nearest_polyline) - band.points[i]).norm() - feet[i].distance) < 1e-9);
   }
   assert(valid > 300 && valid < 2700);
 }
@@ -241,6 +265,7 @@ void test_different_positions()
 int main()
 {
   test_closed_curve_that_is_split_several_times();
+  test_polyline_walk();
   test_nearest_feet();
   test_surface_evidence();
   test_foot_derivatives();

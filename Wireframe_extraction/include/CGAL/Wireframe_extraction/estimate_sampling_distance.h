@@ -59,8 +59,8 @@ only about 0.55 r.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the sampling distance in the cloud's unit; 0 if fewer than two different points exist. Points that are not finite
-or have a negative distance do not count.
+\return the sampling distance in the cloud's unit; 0 if fewer than two different points exist. Points that are not
+finite or have a negative distance do not count.
 
 Complexity: O(n log n) for n points.
 */

@@ -73,7 +73,7 @@ bool fuse_distance_patches(const std::vector<Distance_patch<Point, FT>>& patches
     CGAL::parameters::get_parameter(np, internal_np::patch_fusion), Patch_fusion::MINIMUM);
   std::vector<std::pair<Point, FT>> result;
   const std::string error = internal::Patch_fuser<Point, FT>(fusion).fuse(patches, result);
-  if(error.empty())
+  if (error.empty())
     cloud.swap(result);
   return CGAL::IO::internal::report(np, error);
 }

@@ -13,10 +13,10 @@
 #define CGAL_WIREFRAME_EXTRACTION_REFINE_FIELD_H
 
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
-#include <CGAL/Wireframe_extraction/parameters.h>
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/internal/Field_refinement.h>
 #include <CGAL/Wireframe_extraction/internal/run_concurrently.h>
+#include <CGAL/Wireframe_extraction/parameters.h>
 #include <CGAL/Wireframe_extraction/select_skeleton.h>
 
 #include <algorithm>
@@ -92,8 +92,8 @@ bool refine(Wireframe_skeleton<GeomTraits>& skeleton, const Extraction_options& 
 /*!
 \ingroup PkgWireframeExtractionFunctions
 
-corrects the field by the surface, where the surface shows more: a sharp curve is a crease of the surface, and the points
-on both sides tell where it is, often better than the estimated distances do.
+corrects the field by the surface, where the surface shows more: a sharp curve is a crease of the surface, and the
+points on both sides tell where it is, often better than the estimated distances do.
 
 At every point of the skeleton a crease is fitted to the points around it: two strips that leave a common local curve,
 each with a curvature and a twist of its own. Robust Gauss-Newton steps minimise the distances of the points to the

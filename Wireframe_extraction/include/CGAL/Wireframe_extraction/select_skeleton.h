@@ -16,7 +16,9 @@
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/internal/Range_source.h>
 #include <CGAL/Wireframe_extraction/internal/Surveyed_cloud.h>
+#include <CGAL/Wireframe_extraction/internal/cell_key.h>
 #include <CGAL/Wireframe_extraction/internal/cloud_access.h>
+#include <CGAL/Wireframe_extraction/internal/median.h>
 
 #include <CGAL/number_utils.h>
 
@@ -82,10 +84,8 @@ class Neighborhood_cells
 
   std::uint64_t key(const Vector& p, int dx, int dy, int dz) const
   {
-    const auto index = [&](double x, int d) {
-      return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x / m_cell)) + d) & 0x1fffff;
-    };
-    return index(p.x(), dx) << 42 | index(p.y(), dy) << 21 | index(p.z(), dz);
+    const auto index = [&](double x) { return static_cast<std::int64_t>(std::floor(x / m_cell)); };
+    return cell_key(index(p.x()) + dx, index(p.y()) + dy, index(p.z()) + dz);
   }
 
 public:
@@ -105,21 +105,8 @@ public:
 // Positions farther than that from the features belong to no shape: scanners write such points where they saw nothing.
 constexpr double farthest_in_units = 1e9;
 
-// the median of each coordinate: a few points, however far away, hardly move it
-inline Vector median_position(const std::vector<Vector>& points)
-{
-  Vector result = Vector::Zero();
-  std::vector<double> coordinates(points.size());
-  for (int k = 0; k < 3; ++k) {
-    for (std::size_t i = 0; i < points.size(); ++i)
-      coordinates[i] = points[i][k];
-    result[k] = median(coordinates);
-  }
-  return result;
-}
-
-// Moves the points of a band into local coordinates, whose origin is their mean. Returns how many were left out since they
-// are too far away.
+// Moves the points of a band into local coordinates, whose origin is their mean. Returns how many were left out since
+// they are too far away.
 inline std::size_t localize(Field_band& band, double unit, Vector& origin)
 {
   origin = median_position(band.points);
@@ -171,7 +158,8 @@ Wireframe_skeleton<GeomTraits> select_skeleton(const Cloud& cloud, double unit,
 
 // The points around the skeleton whatever their distances say: what the surface looks like there.
 template <class Cloud, class GeomTraits>
-void select_surroundings(const Cloud& cloud, const Extraction_options& options, Wireframe_skeleton<GeomTraits>& skeleton)
+void select_surroundings(const Cloud& cloud, const Extraction_options& options,
+                         Wireframe_skeleton<GeomTraits>& skeleton)
 {
   auto surroundings = std::make_shared<Field_band>();
   const Field_band& band = skeleton.band();
@@ -233,8 +221,8 @@ points below `support_distance`, which later stages fit to.
     \cgalParamDefault{3}
   \cgalParamNEnd
   \cgalParamNBegin{fitting_radius}
-    \cgalParamDescription{the radius of the balls in which later stages fit, in multiples of r; points within twice as much of the
-                          skeleton are kept for `refine_field()`}
+    \cgalParamDescription{the radius of the balls in which later stages fit, in multiples of r; points within twice
+                          as much of the skeleton are kept for `refine_field()`}
     \cgalParamType{`double`}
     \cgalParamDefault{4}
   \cgalParamNEnd

@@ -14,7 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/internal/Curve_tracer.h>
 #include <CGAL/Wireframe_extraction/internal/for_each_piece.h>
-#include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
+#include <CGAL/Wireframe_extraction/internal/median.h>
 
 #include <algorithm>
 #include <cmath>

@@ -14,6 +14,7 @@
 #include <CGAL/Wireframe_extraction/internal/Contraction.h>
 #include <CGAL/Wireframe_extraction/internal/Crease_tracer.h>
 #include <CGAL/Wireframe_extraction/internal/Segment_grid.h>
+#include <CGAL/Wireframe_extraction/internal/median.h>
 
 #include <algorithm>
 #include <cmath>

@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NEIGHBOR_SCAN_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NEIGHBOR_SCAN_H
 
+#include <CGAL/Wireframe_extraction/internal/cell_key.h>
 #include <CGAL/Wireframe_extraction/internal/for_each_piece.h>
 #include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
 
@@ -97,14 +98,15 @@ class Neighbor_scan
       for (std::int64_t i = low[0]; i <= high[0]; ++i)
         for (std::int64_t j = low[1]; j <= high[1]; ++j)
           for (std::int64_t k = low[2]; k <= high[2]; ++k)
-            insert(key(i, j, k), query);
+            insert(cell_key(i, j, k), query);
     }
 
-    // calls `use(query)` for the queries whose balls reach into the cell of a point
+    // calls `use(query)` for the queries whose balls reach into the cell of a point, and for some whose cells have the
+    // same key by chance
     template <class Use>
     void visit(const Vector& p, const Use& use) const
     {
-      const std::uint64_t wanted = key(index(p.x()), index(p.y()), index(p.z()));
+      const std::uint64_t wanted = cell_key(index(p.x()), index(p.y()), index(p.z()));
       for (std::size_t slot = home(wanted); m_entries[slot].is_used; slot = (slot + 1) & (m_entries.size() - 1))
         if (m_entries[slot].key == wanted)
           use(m_entries[slot].query);
@@ -115,14 +117,6 @@ class Neighbor_scan
     {
       const double k = std::floor(x * m_per_cell);
       return static_cast<std::int64_t>((std::max)(-1e15, (std::min)(1e15, k)));
-    }
-
-    // cells that have the same key by chance only cost time
-    static std::uint64_t key(std::int64_t i, std::int64_t j, std::int64_t k)
-    {
-      const std::uint64_t mask = 0x1fffff;
-      return (static_cast<std::uint64_t>(i) & mask) << 42 | (static_cast<std::uint64_t>(j) & mask) << 21
-        | (static_cast<std::uint64_t>(k) & mask);
     }
 
     std::size_t home(std::uint64_t key) const

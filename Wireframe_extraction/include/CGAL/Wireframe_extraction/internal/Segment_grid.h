@@ -13,6 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SEGMENT_GRID_H
 
 #include <CGAL/Wireframe_extraction/internal/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/cell_key.h>
 
 #include <algorithm>
 #include <array>
@@ -46,12 +47,6 @@ private:
             static_cast<std::int64_t>(std::floor(p.z() / m_cell))};
   }
 
-  static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z)
-  {
-    return (static_cast<std::uint64_t>(x & 0x1fffff) << 42) | (static_cast<std::uint64_t>(y & 0x1fffff) << 21)
-      | static_cast<std::uint64_t>(z & 0x1fffff);
-  }
-
 public:
   struct Hit
   {
@@ -73,12 +68,12 @@ public:
         const Vector from = points[k - 1] + step * (double(j) / pieces);
         const Vector to = points[k - 1] + step * (double(j + 1) / pieces);
         const std::array<std::int64_t, 3> cell = cell_of(0.5 * (from + to));
-        m_cells[key(cell[0], cell[1], cell[2])].push_back({curve, k - 1, from, to});
+        m_cells[cell_key(cell[0], cell[1], cell[2])].push_back({curve, k - 1, from, to});
       }
     }
   }
 
-  // calls visit(hit) for every piece of a segment closer than `radius` to `p`
+  // calls visitor(hit) for every piece of a segment closer than `radius` to `p`
   template <class Visitor>
   void visit(const Vector& p, double radius, const Visitor& visitor) const
   {
@@ -88,7 +83,7 @@ public:
     for (std::int64_t x = low[0]; x <= high[0]; ++x)
       for (std::int64_t y = low[1]; y <= high[1]; ++y)
         for (std::int64_t z = low[2]; z <= high[2]; ++z) {
-          const auto found = m_cells.find(key(x, y, z));
+          const auto found = m_cells.find(cell_key(x, y, z));
           if (found == m_cells.end())
             continue;
           for (const Entry& entry : found->second) {

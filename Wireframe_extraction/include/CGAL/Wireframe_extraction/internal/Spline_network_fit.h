@@ -14,11 +14,11 @@
 
 #include <CGAL/Wireframe_extraction/internal/Cubic_spline.h>
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
-#include <CGAL/Wireframe_extraction/internal/polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/ceres_support.h>
 #include <CGAL/Wireframe_extraction/internal/for_each_piece.h>
+#include <CGAL/Wireframe_extraction/internal/median.h>
+#include <CGAL/Wireframe_extraction/internal/polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/polyline_tools.h>
-#include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
 #include <CGAL/Wireframe_extraction/internal/spline_residuals.h>
 
 #include <boost/pending/disjoint_sets.hpp>

@@ -11,8 +11,8 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SURFACE_EVIDENCE_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SURFACE_EVIDENCE_H
 
+#include <CGAL/Wireframe_extraction/internal/median.h>
 #include <CGAL/Wireframe_extraction/internal/polyline_feet.h>
-#include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
 
 #include <CGAL/number_utils.h>
 

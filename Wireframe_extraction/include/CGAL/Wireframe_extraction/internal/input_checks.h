@@ -15,6 +15,7 @@
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
 #include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/internal/Surveyed_cloud.h>
+#include <CGAL/Wireframe_extraction/internal/median.h>
 #include <CGAL/Wireframe_extraction/internal/sampling_distance.h>
 
 #include <Eigen/Eigenvalues>
@@ -57,22 +58,17 @@ inline bool survey(Surveyed_cloud& cloud, bool skip_invalid, Wireframe_extractio
 // not make the rest look like a point.
 inline int dimension(const std::vector<Vector>& positions, const std::vector<std::size_t>& sample)
 {
-  Vector center;
-  for (int k = 0; k < 3; ++k) {
-    std::vector<double> coordinates;
-    for (std::size_t i : sample)
-      coordinates.push_back(positions[i][k]);
-    center[k] = median(coordinates);
-  }
   std::vector<Vector> offsets;
-  double extent = 0.;
   for (std::size_t i : sample)
-    offsets.push_back(positions[i] - center);
+    offsets.push_back(positions[i]);
+  const Vector center = median_position(offsets);
+  for (Vector& offset : offsets)
+    offset -= center;
   std::sort(offsets.begin(), offsets.end(), [](const Vector& a, const Vector& b) {
     return a.stableNorm() < b.stableNorm();
   });
   offsets.resize((std::max)(std::size_t(1), offsets.size() - offsets.size() / 10));
-  extent = offsets.back().stableNorm();
+  const double extent = offsets.back().stableNorm();
   if (!(extent > 1e-12 * center.cwiseAbs().maxCoeff()))
     return 0;
   Vector mean = Vector::Zero();

@@ -13,6 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SAMPLING_DISTANCE_H
 
 #include <CGAL/Wireframe_extraction/internal/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/median.h>
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/number_utils.h>
@@ -20,7 +21,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -39,16 +39,6 @@ inline std::vector<std::size_t> spread_indices(std::size_t n)
   return indices;
 }
 
-inline double median(std::vector<double> values)
-{
-  if (values.empty())
-    return 0.;
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
-// From the median, over the queries, of the area of the disc to the k-th different neighbor, divided by what it holds.
-// In a Poisson-disk cloud, the distance to the nearest neighbor itself is the better measure.
 struct Cloud_scale
 {
   double sampling_distance = 0.;
@@ -57,7 +47,9 @@ struct Cloud_scale
 
 constexpr std::size_t density_neighbors = 16;
 
-// what was found around the queries
+// What was found around the queries. The sampling distance follows from the median, over the queries, of the area of the
+// disc to the k-th different neighbor, divided by what it holds. In a Poisson-disk cloud, the distance to the nearest
+// neighbor itself is the better measure.
 class Density_measures
 {
   std::vector<double> m_areas, m_nearest, m_slopes;
