@@ -1,5 +1,7 @@
 // Clouds that are no good: each ends with a wireframe that can be trusted, or with none and a reason.
 
+#include "sample_clouds.h"
+
 #include <CGAL/extract_wireframe.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -89,12 +91,7 @@ const Cloud& box()
   static const Cloud result = [] {
     Sample_solids::Sampling_options options;
     options.sampling_distance = r;
-    const Sample_solids::Cloud samples = Sample_solids::sample(Sample_solids::make_solid("box"), options);
-    Cloud cloud;
-    for (std::size_t i = 0; i < samples.points.size(); ++i)
-      cloud.emplace_back(Point(samples.points[i][0], samples.points[i][1], samples.points[i][2]),
-                         samples.distances[i]);
-    return cloud;
+    return cloud_of_samples<Point>(Sample_solids::sample(Sample_solids::make_solid("box"), options));
   }();
   return result;
 }

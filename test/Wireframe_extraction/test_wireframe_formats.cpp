@@ -1,6 +1,7 @@
 // Writers of formats that other programs read. With the name of a folder it only writes files into it, which
-// test_wireframe_formats.py looks at with readers of others.
+// test_wireframe_formats_read.py looks at with readers of others.
 
+#include "Comma_locale.h"
 #include "minimal_traits.h"
 
 #include <CGAL/Wireframe_extraction/IO/write_wireframe.h>
@@ -18,7 +19,6 @@
 #include <functional>
 #include <iterator>
 #include <limits>
-#include <locale>
 #include <map>
 #include <random>
 #include <set>
@@ -797,13 +797,6 @@ void test_bad_streams()
     { return CGAL::IO::write_wireframe_obj(out, wireframe, parameters::obj_splines(true).error_message(&error)); }));
 }
 
-struct Comma : std::numpunct<char>
-{
-  char do_decimal_point() const override { return ','; }
-  char do_thousands_sep() const override { return '.'; }
-  std::string do_grouping() const override { return "\1"; }
-};
-
 // where decimals are written with a comma, and thousands with a point
 void test_other_locale()
 {
@@ -823,10 +816,8 @@ void test_other_locale()
     return all;
   };
   const std::string before = write_each();
-  const std::locale old = std::locale::global(std::locale(std::locale::classic(), new Comma));
-  const std::string after = write_each();
-  std::locale::global(old);
-  assert(before == after);
+  const Comma_locale locale;
+  assert(write_each() == before);
 }
 
 // with a traits class that has nothing beyond the concept
@@ -842,7 +833,9 @@ void test_minimal_traits()
   curve.conic.end_angle = 2 * CGAL_PI;
   curve.spline = curve.conic.to_spline(true);
   wireframe.curves.push_back(curve);
-  for(const std::string& extension : extensions)
+  std::vector<std::string> all = extensions;
+  all.insert(all.end(), { ".json", ".ply", ".txt" });
+  for(const std::string& extension : all)
   {
     const std::string name = "formats_minimal" + extension;
     const bool is_written = CGAL::IO::write_wireframe(name, wireframe, parameters::geom_traits(Minimal_traits()));

@@ -1,5 +1,7 @@
 // The wireframe moves and scales with the cloud, and depends neither on the order of the points nor on the threads.
 
+#include "sample_clouds.h"
+
 #include <CGAL/extract_wireframe.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -40,11 +42,7 @@ Cloud cloud_of(const std::string& name, Sample_solids::Sampling sampling, Sample
   options.sampling = sampling;
   options.field = field;
   options.seed = seed;
-  const Sample_solids::Cloud samples = Sample_solids::sample(Sample_solids::make_solid(name), options);
-  Cloud cloud;
-  for (std::size_t i = 0; i < samples.points.size(); ++i)
-    cloud.emplace_back(Point(samples.points[i][0], samples.points[i][1], samples.points[i][2]), samples.distances[i]);
-  return cloud;
+  return cloud_of_samples<Point>(Sample_solids::sample(Sample_solids::make_solid(name), options));
 }
 
 // p -> scale * rotation * p + translation
@@ -81,14 +79,6 @@ Cloud transformed(Cloud cloud, const Similarity& similarity)
     sample.first = similarity(sample.first);
     sample.second *= similarity.scale;
   }
-  return cloud;
-}
-
-Cloud permuted(Cloud cloud)
-{
-  std::mt19937_64 engine(7);
-  for (std::size_t i = cloud.size(); i > 1; --i)
-    std::swap(cloud[i - 1], cloud[engine() % i]);
   return cloud;
 }
 
@@ -163,7 +153,7 @@ void test_exact_fields()
     for (Sampling sampling : {Sampling::POISSON, Sampling::UNIFORM}) {
       const Cloud cloud = cloud_of(name, sampling, Field_kind::EXACT, 11);
       const Wireframe wireframe = CGAL::extract_wireframe(cloud);
-      check_same(wireframe, CGAL::extract_wireframe(permuted(cloud)), Similarity(), 1e-3);
+      check_same(wireframe, CGAL::extract_wireframe(shuffled(cloud, 7)), Similarity(), 1e-3);
       for (double scale : {1e-3, 1., 1e4}) {
         Similarity similarity = Similarity::of_quaternion(normal(engine), normal(engine), normal(engine),
                                                           normal(engine));
@@ -185,7 +175,7 @@ void test_noisy_fields()
     Similarity doubled;
     doubled.scale = 1024.;
     check_same(wireframe, CGAL::extract_wireframe(transformed(cloud, doubled)), doubled, 1e-9);
-    const Wireframe other = CGAL::extract_wireframe(permuted(cloud));
+    const Wireframe other = CGAL::extract_wireframe(shuffled(cloud, 7));
     assert(share_astray(wireframe, other) < 0.05 && share_astray(other, wireframe) < 0.05);
   }
 }

@@ -1,5 +1,7 @@
 // The same wireframe, whatever kernel, traits or property maps the points come with; visitors and callbacks.
 
+#include "sample_clouds.h"
+
 #include <CGAL/extract_wireframe.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -43,12 +45,7 @@ const Sample_solids::Cloud& samples()
 template <class Kernel>
 std::vector<std::pair<typename Kernel::Point_3, double> > cloud()
 {
-  std::vector<std::pair<typename Kernel::Point_3, double> > result;
-  for (std::size_t i = 0; i < samples().points.size(); ++i) {
-    const Sample_solids::Point& p = samples().points[i];
-    result.emplace_back(typename Kernel::Point_3(p[0], p[1], p[2]), samples().distances[i]);
-  }
-  return result;
+  return cloud_of_samples<typename Kernel::Point_3>(samples());
 }
 
 template <class Traits>

@@ -1,5 +1,7 @@
 // Whole shapes, of which the ground truth is known: as many curves and corners as there are, each where it is.
 
+#include "sample_clouds.h"
+
 #include <CGAL/extract_wireframe.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -47,10 +49,7 @@ Sampled_shape sampled(const std::string& name, Sampling sampling, Field_kind fie
   options.sampling_distance = r;
   options.sampling = sampling;
   options.field = field;
-  const Sample_solids::Cloud samples = Sample_solids::sample(shape.solid, options);
-  for (std::size_t i = 0; i < samples.points.size(); ++i)
-    shape.cloud.emplace_back(Kernel::Point_3(samples.points[i][0], samples.points[i][1], samples.points[i][2]),
-                             samples.distances[i]);
+  shape.cloud = cloud_of_samples<Kernel::Point_3>(Sample_solids::sample(shape.solid, options));
   return shape;
 }
 

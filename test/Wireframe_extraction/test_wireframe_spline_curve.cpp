@@ -1,3 +1,5 @@
+// Spline_curve_3: points, derivatives, pieces and knots of open, closed and degenerate curves.
+
 #include <CGAL/Wireframe_extraction/Spline_curve_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -1,5 +1,7 @@
 // The stages one by one, on clouds for which the right answer is known in closed form.
 
+#include "sample_clouds.h"
+
 #include <CGAL/Wireframe_extraction/build_topological_graph.h>
 #include <CGAL/Wireframe_extraction/contract_skeleton.h>
 #include <CGAL/Wireframe_extraction/detect_corners.h>
@@ -63,12 +65,7 @@ Cloud cloud_of(const std::string& name, double sampling_distance,
   Sample_solids::Sampling_options options;
   options.sampling_distance = sampling_distance;
   options.sampling = sampling;
-  const Sample_solids::Cloud samples = Sample_solids::sample(Sample_solids::make_solid(name), options);
-  Cloud cloud;
-  for (std::size_t i = 0; i < samples.points.size(); ++i)
-    cloud.emplace_back(Point(samples.points[i][0], samples.points[i][1], samples.points[i][2]),
-                       samples.distances[i]);
-  return cloud;
+  return cloud_of_samples<Point>(Sample_solids::sample(Sample_solids::make_solid(name), options));
 }
 
 // A function of the plane: the distance to some curves there, in sampling distances.

@@ -1,5 +1,7 @@
 // Clouds that stay in their files, or that come point by point, give the same skeleton as in memory.
 
+#include "sample_clouds.h"
+
 #include <CGAL/Wireframe_extraction/Distance_cloud_filter.h>
 #include <CGAL/Wireframe_extraction/IO/Distance_cloud_file.h>
 #include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
@@ -17,7 +19,6 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
-#include <random>
 #include <set>
 #include <string>
 #include <tuple>
@@ -46,13 +47,12 @@ Sample_solids::Cloud samples_of(const std::string& name, Sample_solids::Sampling
 // in single precision many distances are equal
 Cloud cloud_of(const Sample_solids::Cloud& samples, bool is_single)
 {
-  const auto rounded = [is_single](double x) { return is_single ? double(float(x)) : x; };
-  Cloud cloud;
-  for (std::size_t i = 0; i < samples.points.size(); ++i)
-  {
-    const Sample_solids::Point& p = samples.points[i];
-    cloud.emplace_back(Point(rounded(p[0]), rounded(p[1]), rounded(p[2])), rounded(samples.distances[i]));
-  }
+  Cloud cloud = cloud_of_samples<Point>(samples);
+  for (auto& sample : cloud)
+    if (is_single) {
+      const Point& p = sample.first;
+      sample = {Point(float(p.x()), float(p.y()), float(p.z())), float(sample.second)};
+    }
   return cloud;
 }
 
@@ -60,14 +60,6 @@ Cloud cloud_of(const Sample_solids::Cloud& samples, bool is_single)
 Cloud sorted(Cloud cloud)
 {
   std::sort(cloud.begin(), cloud.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  return cloud;
-}
-
-Cloud shuffled(Cloud cloud)
-{
-  std::mt19937_64 engine(5);
-  for (std::size_t i = cloud.size(); i > 1; --i)
-    std::swap(cloud[i - 1], cloud[engine() % i]);
   return cloud;
 }
 
@@ -117,7 +109,7 @@ void test_clouds_that_are_gone_over_several_times()
           check_identical(expected, skeleton_of(cloud, cloud.size() - 1));
           check_identical(expected, skeleton_of(cloud, 3000));
           check_identical(expected, skeleton_of(cloud, 1));
-          for (const Cloud& other : {sorted(cloud), shuffled(cloud)}) {
+          for (const Cloud& other : {sorted(cloud), shuffled(cloud, 5)}) {
             const Skeleton skeleton = skeleton_of(other, 2000);
             check_same(expected, skeleton);
             assert(expected.surroundings().size() == skeleton.surroundings().size());
@@ -167,7 +159,7 @@ void test_filter()
     for (Sampling sampling : {Sampling::POISSON, Sampling::UNIFORM}) {
       const Cloud cloud = cloud_of(samples_of(name, sampling, Field_kind::EXACT), false);
       const double r = skeleton_of(cloud, cloud.size()).sampling_distance();
-      for (const Cloud& other : {cloud, sorted(cloud), shuffled(cloud)}) {
+      for (const Cloud& other : {cloud, sorted(cloud), shuffled(cloud, 5)}) {
         wireframe::Distance_cloud_filter<Point> filter(wireframe::parameters::points_in_memory(4000));
         filter.insert(other.begin(), other.end());
         assert(filter.number_of_points() == cloud.size() && filter.number_of_invalid() == 0);

@@ -9,7 +9,6 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-
 #ifndef CASE_MAKER_NUMBER_CHECK_H
 #define CASE_MAKER_NUMBER_CHECK_H
 

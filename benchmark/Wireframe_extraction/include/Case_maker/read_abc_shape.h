@@ -9,7 +9,6 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-
 #ifndef CASE_MAKER_READ_ABC_SHAPE_H
 #define CASE_MAKER_READ_ABC_SHAPE_H
 

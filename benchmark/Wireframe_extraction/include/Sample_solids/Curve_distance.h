@@ -9,7 +9,6 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-
 #ifndef SAMPLE_SOLIDS_CURVE_DISTANCE_H
 #define SAMPLE_SOLIDS_CURVE_DISTANCE_H
 

@@ -9,8 +9,6 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-
-
 #ifndef SAMPLE_SOLIDS_POISSON_SAMPLER_H
 #define SAMPLE_SOLIDS_POISSON_SAMPLER_H
 

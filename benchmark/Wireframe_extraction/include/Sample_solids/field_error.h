@@ -9,7 +9,6 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-
 #ifndef SAMPLE_SOLIDS_FIELD_ERROR_H
 #define SAMPLE_SOLIDS_FIELD_ERROR_H
 

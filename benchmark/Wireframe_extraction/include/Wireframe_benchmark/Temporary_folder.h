@@ -9,7 +9,6 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-
 #ifndef WIREFRAME_BENCHMARK_TEMPORARY_FOLDER_H
 #define WIREFRAME_BENCHMARK_TEMPORARY_FOLDER_H
 

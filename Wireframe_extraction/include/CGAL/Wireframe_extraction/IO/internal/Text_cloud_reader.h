@@ -175,8 +175,8 @@ private:
     const std::string& wanted = options_.distance_property;
     std::size_t number = 4;
     if(wanted.empty() && may_have_normals(fields))
-      return table_.fail_at_line("the row has " + std::to_string(number_of_columns_) + " columns without names, of which "
-                                 "4 to 6 look like a normal; say which one holds the distance by its number, "
+      return table_.fail_at_line("the row has " + std::to_string(number_of_columns_) + " columns without names, of "
+                                 "which 4 to 6 look like a normal; say which one holds the distance by its number, "
                                  "counted from 1 (distance_property), or put a line of names first");
     if(!wanted.empty() && (!parse_count(std::string_view(wanted), number) || number < 4 || number > number_of_columns_))
       return table_.fail_at_line("no column is named " + quote(wanted) + ", as the file's columns are without names; "

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Tests that the tool extract_wireframe gives the same for a cloud that stays in its file as for one in memory.
 
-usage: test_wireframe_streaming.py EXTRACT_WIREFRAME MAKE_CLOUD [options of unittest]
+usage: test_wireframe_streaming_tool.py EXTRACT_WIREFRAME MAKE_CLOUD [options of unittest]
 """
 
 import os

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Reads what the writers of wireframes wrote with readers of others, and compares it with the true curves.
 
-usage: test_wireframe_formats.py TEST_WIREFRAME_FORMATS [options of unittest]
+usage: test_wireframe_formats_read.py TEST_WIREFRAME_FORMATS [options of unittest]
 
 TEST_WIREFRAME_FORMATS is the test program of that name, which writes the files. ezdxf (Debian: python3-ezdxf) reads
 DXF; VTK (Debian: python3-vtk9) reads its own format and glTF, and these tests are skipped where it is missing.

@@ -1,0 +1,93 @@
+// Writes HDF5 files, if there is the library.
+
+#ifndef HDF5_WRITER_H
+#define HDF5_WRITER_H
+
+#ifdef CGAL_WIREFRAME_EXTRACTION_USE_HDF5
+
+#include <hdf5.h>
+
+#include <algorithm>
+#include <cassert>
+#include <string>
+#include <vector>
+
+class Hdf5_writer
+{
+public:
+  explicit Hdf5_writer(const std::string& name)
+    : file_(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT))
+  {
+    assert(file_ >= 0);
+  }
+
+  ~Hdf5_writer() { H5Fclose(file_); }
+
+  void add_group(const std::string& name)
+  {
+    H5Gclose(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  }
+
+  void add(const std::string& name, const std::vector<double>& values, const std::vector<hsize_t>& shape,
+           hid_t type = H5T_IEEE_F64LE, bool is_compressed = false, bool is_written = true)
+  {
+    const hid_t space = H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr);
+    const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+    if(is_compressed)
+    {
+      std::vector<hsize_t> chunk(shape);
+      chunk[0] = (std::min)(chunk[0], hsize_t(100));
+      H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
+      H5Pset_deflate(properties, 9);
+    }
+    const hid_t dataset = H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT);
+    assert(dataset >= 0);
+    if(is_written)
+      assert(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
+    H5Dclose(dataset);
+    H5Pclose(properties);
+    H5Sclose(space);
+  }
+
+  void add_rows(const std::string& name, std::vector<std::vector<double>> rows, hid_t type = H5T_IEEE_F64LE)
+  {
+    const hsize_t count = rows.size();
+    const hid_t space = H5Screate_simple(1, &count, nullptr);
+    const hid_t file_type = H5Tvlen_create(type), memory_type = H5Tvlen_create(H5T_NATIVE_DOUBLE);
+    const hid_t dataset = H5Dcreate2(file_, name.c_str(), file_type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    std::vector<hvl_t> raw;
+    for(std::vector<double>& row : rows)
+      raw.push_back({ row.size(), row.data() });
+    assert(H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, raw.data()) >= 0);
+    H5Dclose(dataset);
+    H5Tclose(memory_type);
+    H5Tclose(file_type);
+    H5Sclose(space);
+  }
+
+  void add_external(const std::string& name, hsize_t count)
+  {
+    const hsize_t shape[] = { count, 3 };
+    const hid_t space = H5Screate_simple(2, shape, nullptr);
+    const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_external(properties, "scratch_elsewhere.raw", 0, H5F_UNLIMITED);
+    H5Dclose(H5Dcreate2(file_, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, properties, H5P_DEFAULT));
+    H5Pclose(properties);
+    H5Sclose(space);
+  }
+
+  void add_text(const std::string& name)
+  {
+    const hid_t space = H5Screate(H5S_SCALAR);
+    const hid_t dataset = H5Dcreate2(file_, name.c_str(), H5T_C_S1, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    H5Dclose(dataset);
+    H5Sclose(space);
+  }
+
+private:
+  hid_t file_;
+};
+
+#endif
+
+#endif // HDF5_WRITER_H
