@@ -80,7 +80,7 @@ first points.
 Complexity: O(n log n + n k) for n points with k neighbors each.
 */
 template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>
-std::vector<std::vector<std::size_t> >
+[[nodiscard]] std::vector<std::vector<std::size_t> >
 segment_curves(const Wireframe_skeleton<GeomTraits>& skeleton,
                const std::vector<Wireframe_corner<GeomTraits> >& corners,
                const NamedParameters& np = CGAL::parameters::default_values())
