@@ -457,7 +457,8 @@ void test_points_far_away()
     cloud.emplace_back(Point(x, 0., 0.), 0.);
     const Result result = run(cloud);
     assert(is_box(result) && result.report.warnings.size() == 1
-           && result.report.warnings[0].find("1 points near features lie so far") != std::string::npos);
+           && result.report.warnings[0].find("away from the others: 1") != std::string::npos);
+    assert(result.report.number_of_strays == 1);
   }
 }
 

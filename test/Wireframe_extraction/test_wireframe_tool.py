@@ -518,7 +518,7 @@ class Tool_test(Program_test):
         for option, others, what in (
                 (["--view", "top"], [], "--png"), (["--fuse", "median"], [], "--patches"),
                 (["--use-indices"], ["--patches", "false"], "--patches"), (["--indices-dataset", "i"], [], "--patches"),
-                (["--unit", "in"], ["-o", "x.obj"], ".svg"), (["--step-schema", "ap242"], ["-o", "x.svg"], ".step"),
+                (["--step-schema", "ap242"], ["-o", "x.svg"], ".step"),
                 (["--obj-splines"], ["-o", "x.svg"], ".obj"), (["--corner-variance", "0.2"], [], "variance"),
                 (["--corner-radius", "3"], [], "--corner-measure"),
                 (["--corner-sampling-ratio", "0.2"], [], "variance"),
@@ -534,7 +534,7 @@ class Tool_test(Program_test):
             self.refuse(USAGE_ERROR, [option[0], what, "requires"], "c.xyz", "-o", "out.json", *option, *others)
         # what has an effect, or could have none in any case, is taken; only the cloud is wrong
         for words in (["--regularize", "--paper", "--recognize-types"], ["--regularize", "false", "--splines-only"],
-                      ["--corner-radius", "3", "--paper"], ["--unit", "in", "-o", "x.svg"],
+                      ["--corner-radius", "3", "--paper"], ["--unit", "in", "-o", "x.obj"],
                       ["--split-threshold", "3", "--graph-method", "subdivided"], ["--obj-splines", "-o", "x.obj"]):
             self.refuse(BAD_INPUT, ["c.xyz", "coincide"], "c.xyz", "-o", "out.json", *words)
 

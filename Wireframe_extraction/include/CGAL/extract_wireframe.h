@@ -125,8 +125,9 @@ extract_wireframe(const PointRange& points, const NamedParameters& np = CGAL::pa
 /*!
 \ingroup PkgWireframeExtractionFunctions
 
-extracts the parametric wireframe of a shape from a cloud that need not be in memory. It is read several times, and what
-is kept of it are `points_in_memory` points and those around the features. The result is that of
+extracts the parametric wireframe of a shape from a cloud that need not be in memory. It is read once, or
+several times if it has more than `points_in_memory` points; what is kept of it are so many points and those around the
+features. The result is that of
 `extract_wireframe()` for the same points.
 
 \tparam GeomTraits a model of `WireframeExtractionTraits_3`, for instance a kernel

@@ -263,7 +263,7 @@ private:
     add_checked("--threads", m_options.number_of_threads, 1, 1024, "Use at most this many threads", group)
       ->type_name("N");
     add_checked("--points-in-memory", m_options.points_in_memory, 1, 99999999,
-                "A larger CLOUD stays in its file, which is then read five times, and only what lies near features is "
+                "A larger CLOUD stays in its file, which is then read up to five times, and only what lies near features is "
                 "kept; the result is the same", group)
       ->capture_default_str();
     add_boolean("--quiet", m_options.is_quiet, "Print nothing but errors", group);
@@ -279,7 +279,7 @@ private:
     Extraction_options& extraction = m_options.extraction;
     add_number("--sampling-distance", m_options.sampling_distance, 0., infinity, false,
                "The sampling distance r, in the cloud's unit; estimated if not given", group, false);
-    add_number("--noise-level", extraction.noise_level, 0., infinity, true,
+    add_number("--noise-level", extraction.noise_level, 0., 1., true,
                "Noise of the distances, in r; estimated if not given", group, false);
     add_number("--skeleton-distance", extraction.skeleton_distance, 0., infinity, false,
                "Points with a smaller distance form the skeleton, in r", group);

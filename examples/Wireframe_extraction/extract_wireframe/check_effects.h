@@ -42,10 +42,6 @@ inline bool writes(const Options& options, const std::vector<std::string>& exten
 inline void check_effects_on_outputs(const CLI::App& app, const Options& options)
 {
   require(app, "--view", options.has_png, "--png");
-  require(app, "--unit",
-          options.has_html
-            || writes(options, { ".step", ".stp", ".iges", ".igs", ".dxf", ".vtp", ".gltf", ".glb", ".svg" }),
-          "an output that says what the unit is: .step .iges .dxf .vtp .gltf .glb .svg, or --html");
   require(app, "--step-schema", writes(options, { ".step", ".stp" }), "an output .step or .stp");
   require(app, "--obj-splines", writes(options, { ".obj" }), "an output .obj");
 }

@@ -38,6 +38,8 @@ struct Wireframe_extraction_report
   std::size_t number_of_points = 0;           ///< points of the cloud
   std::size_t number_of_skipped_points = 0;   ///< points left out since they are invalid
   std::size_t number_of_duplicates = 0;       ///< points near features left out since they repeat others
+  std::size_t number_of_strays = 0;           ///< points near features left out since they are farther than
+                                              ///< 10<sup>9</sup> sampling distances from the others
   std::size_t skeleton_size = 0;              ///< points of the skeleton
   std::size_t number_of_corners = 0;          ///< vertices of the wireframe in which curves meet
   std::size_t number_of_free_ends = 0;        ///< vertices of the wireframe in which a single curve ends

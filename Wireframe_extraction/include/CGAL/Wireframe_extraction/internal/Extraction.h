@@ -184,12 +184,14 @@ private:
   void warn_of_points_left_out()
   {
     m_report.number_of_duplicates = m_skeleton.number_of_duplicates();
-    if (m_report.number_of_duplicates > 0)
-      m_report.warnings.push_back(std::to_string(m_report.number_of_duplicates)
-                                  + " points near features lie exactly where others do and were left out");
-    if (m_skeleton.number_of_strays() > 0)
-      m_report.warnings.push_back(std::to_string(m_skeleton.number_of_strays())
-                                  + " points near features lie so far from all others that they were left out");
+    m_report.number_of_strays = m_skeleton.number_of_strays();
+    const auto warn = [&](std::size_t number, const char* reason) {
+      if (number > 0)
+        m_report.warnings.push_back("points near features that were left out since they lie " + std::string(reason) + ": "
+                                    + std::to_string(number));
+    };
+    warn(m_report.number_of_duplicates, "exactly where others do");
+    warn(m_report.number_of_strays, "more than 1e9 sampling distances away from the others");
   }
 
   template <class Visitor>
