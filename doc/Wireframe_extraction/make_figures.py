@@ -75,6 +75,7 @@ def main():
     arguments = parser.parse_args()
     try:
         arguments.work.mkdir(parents=True, exist_ok=True)
+        arguments.output.mkdir(parents=True, exist_ok=True)
         figures = Figures(arguments.programs.resolve(), arguments.work.resolve(), arguments.output.resolve())
         for name in arguments.only:
             print(f"making {name} ...", flush=True)
