@@ -39,7 +39,6 @@ class Traced_creases
 
 public:
   void add(const std::vector<Vector>& polyline) { m_segments.add(m_size++, polyline); }
-  std::size_t size() const { return m_size; }
 
   // whether one of them runs along a front
   bool hold(const Local_curve& front, double reach) const { return m_size > 0 && runs_along(m_segments, front, reach); }

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <numeric>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -208,8 +209,8 @@ private:
         next += is_chosen;
         if (tracer().is_traced(m_creases[seeds[n]].curve))
           continue;
-        keep(is_chosen && !tracer().depends_on(meanwhile, paths[k]) ? paths[k] : tracer().trace(m_creases[seeds[n]]),
-             seeds[n], meanwhile);
+        const bool holds = is_chosen && !tracer().depends_on(meanwhile, paths[k]);
+        keep(holds ? std::move(paths[k]) : tracer().trace(m_creases[seeds[n]]), seeds[n], meanwhile);
       }
     }
     return true;

@@ -80,13 +80,13 @@ class Neighbor_scan
   {
     struct Entry { std::uint64_t key; std::uint32_t query, is_used; };
 
-    double m_cell, m_per_cell;
+    double m_per_cell;
     std::vector<Entry> m_entries;
     std::size_t m_size = 0;
 
   public:
     // `cell` is a power of two
-    explicit Level(double cell) : m_cell(cell), m_per_cell(1. / cell), m_entries(1024, Entry{0, 0, 0}) {}
+    explicit Level(double cell) : m_per_cell(1. / cell), m_entries(1024, Entry{0, 0, 0}) {}
 
     void add(std::uint32_t query, const Vector& p, double radius)
     {

@@ -36,8 +36,6 @@ public:
     : m_callback(callback), m_report(report)
   {}
 
-  bool is_cancelled() const { return m_is_cancelled; }
-
   // progress within the current stage
   bool proceed(double share)
   {
