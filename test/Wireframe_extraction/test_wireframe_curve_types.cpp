@@ -1,11 +1,11 @@
 // Lines, circles and ellipses: their geometry, the fits, the test that takes or refuses them, the cuts, and the common fit.
 
-#include <CGAL/Wireframe_extraction/internal/Curve_cutter.h>
-#include <CGAL/Wireframe_extraction/internal/Curve_regularities.h>
-#include <CGAL/Wireframe_extraction/internal/Curve_type_recognizer.h>
-#include <CGAL/Wireframe_extraction/internal/Primitive_curve.h>
-#include <CGAL/Wireframe_extraction/internal/Primitive_fit.h>
-#include <CGAL/Wireframe_extraction/internal/Primitive_network_fit.h>
+#include <CGAL/Wireframe_extraction/internal/types/Curve_cutter.h>
+#include <CGAL/Wireframe_extraction/internal/types/Curve_regularities.h>
+#include <CGAL/Wireframe_extraction/internal/types/Curve_type_recognizer.h>
+#include <CGAL/Wireframe_extraction/internal/types/Primitive_curve.h>
+#include <CGAL/Wireframe_extraction/internal/types/Primitive_fit.h>
+#include <CGAL/Wireframe_extraction/internal/types/Primitive_network_fit.h>
 
 #include <algorithm>
 #include <array>

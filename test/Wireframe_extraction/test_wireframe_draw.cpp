@@ -3,7 +3,7 @@
 
 #include <CGAL/draw_wireframe.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Wireframe_extraction/IO/internal/curve_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/curve_tools.h>
 
 #include <QApplication>
 #include <QColor>

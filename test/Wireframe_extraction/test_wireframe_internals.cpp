@@ -1,10 +1,10 @@
 // Parts of the stages, on what is known in closed form or by trying all.
 
-#include <CGAL/Wireframe_extraction/internal/Curve_end_joiner.h>
-#include <CGAL/Wireframe_extraction/internal/Primitive_curve.h>
-#include <CGAL/Wireframe_extraction/internal/Surface_evidence.h>
-#include <CGAL/Wireframe_extraction/internal/polyline_feet.h>
-#include <CGAL/Wireframe_extraction/internal/polyline_tools.h>
+#include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
+#include <CGAL/Wireframe_extraction/internal/field/polyline_feet.h>
+#include <CGAL/Wireframe_extraction/internal/network/Curve_end_joiner.h>
+#include <CGAL/Wireframe_extraction/internal/network/Surface_evidence.h>
+#include <CGAL/Wireframe_extraction/internal/types/Primitive_curve.h>
 
 #include <algorithm>
 #include <cassert>

@@ -22,8 +22,8 @@ CMAKE = DOXYGEN = ""
 HEADERS = pathlib.Path("Wireframe_extraction/include/CGAL")
 PAGES = pathlib.Path("doc/Wireframe_extraction")
 USER_MANUAL = PAGES / "Wireframe_extraction.txt"
-OPTIONS = HEADERS / "Wireframe_extraction/internal/Extraction_options.h"
-PARAMETER_LIST = HEADERS / "Wireframe_extraction/internal/parameters_interface.h"
+OPTIONS = HEADERS / "Wireframe_extraction/internal/options/Extraction_options.h"
+PARAMETER_LIST = HEADERS / "Wireframe_extraction/internal/options/parameters_interface.h"
 # where the stages read their parameters, besides their own headers
 STAGES = {"select_skeleton.h": (), "contract_skeleton.h": (), "refine_field.h": (), "detect_corners.h": (),
           "segment_curves.h": (), "recognize_curve_types.h": (), "fit_curves.h": ("Spline_network_fit.h",),

@@ -1,6 +1,6 @@
 // Curves that touch each other: a line and an arc that cannot be told apart near the point of contact.
 
-#include <CGAL/Wireframe_extraction/internal/Tangency_resolver.h>
+#include <CGAL/Wireframe_extraction/internal/network/Tangency_resolver.h>
 
 #include <algorithm>
 #include <cassert>

@@ -18,9 +18,9 @@
 
 #ifdef CGAL_USE_BASIC_VIEWER
 
-#include <CGAL/Wireframe_extraction/IO/internal/Sampled_wireframe.h>
-#include <CGAL/Wireframe_extraction/IO/internal/curve_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/wireframe_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Sampled_wireframe.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/curve_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/wireframe_tools.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/Color.h>

@@ -13,8 +13,8 @@
 #define CGAL_EXTRACT_WIREFRAME_H
 
 #include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
-#include <CGAL/Wireframe_extraction/internal/Extraction.h>
-#include <CGAL/Wireframe_extraction/internal/run_concurrently.h>
+#include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/Extraction.h>
 
 namespace CGAL {
 

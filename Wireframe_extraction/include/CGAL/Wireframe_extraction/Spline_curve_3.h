@@ -12,11 +12,11 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_SPLINE_CURVE_3_H
 #define CGAL_WIREFRAME_EXTRACTION_SPLINE_CURVE_3_H
 
-#include <CGAL/Wireframe_extraction/internal/Arc_length_table.h>
-#include <CGAL/Wireframe_extraction/internal/Spline_projector.h>
-#include <CGAL/Wireframe_extraction/internal/local_shape.h>
-#include <CGAL/Wireframe_extraction/internal/spline_basis.h>
-#include <CGAL/Wireframe_extraction/internal/spline_pieces.h>
+#include <CGAL/Wireframe_extraction/internal/spline/Arc_length_table.h>
+#include <CGAL/Wireframe_extraction/internal/spline/Spline_projector.h>
+#include <CGAL/Wireframe_extraction/internal/spline/local_shape.h>
+#include <CGAL/Wireframe_extraction/internal/spline/spline_basis.h>
+#include <CGAL/Wireframe_extraction/internal/spline/spline_pieces.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>

@@ -13,7 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_WIREFRAME_CONIC_H
 
 #include <CGAL/Wireframe_extraction/Spline_curve_3.h>
-#include <CGAL/Wireframe_extraction/internal/spline_basis.h>
+#include <CGAL/Wireframe_extraction/internal/spline/spline_basis.h>
 
 #include <CGAL/number_type_config.h>
 #include <CGAL/number_utils.h>

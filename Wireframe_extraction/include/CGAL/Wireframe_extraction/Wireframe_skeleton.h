@@ -12,8 +12,8 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_WIREFRAME_SKELETON_H
 #define CGAL_WIREFRAME_EXTRACTION_WIREFRAME_SKELETON_H
 
-#include <CGAL/Wireframe_extraction/internal/Contraction.h>
-#include <CGAL/Wireframe_extraction/internal/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/field/Contraction.h>
+#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>

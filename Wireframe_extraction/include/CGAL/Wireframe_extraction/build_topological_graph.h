@@ -14,10 +14,10 @@
 
 #include <CGAL/Wireframe_extraction/Wireframe_graph.h>
 #include <CGAL/Wireframe_extraction/detect_corners.h>
-#include <CGAL/Wireframe_extraction/internal/Network_subdivider.h>
-#include <CGAL/Wireframe_extraction/internal/Network_tracer.h>
-#include <CGAL/Wireframe_extraction/internal/polyline_tools.h>
-#include <CGAL/Wireframe_extraction/internal/run_concurrently.h>
+#include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
+#include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
+#include <CGAL/Wireframe_extraction/internal/network/Subdivided_network.h>
+#include <CGAL/Wireframe_extraction/internal/network/Traced_network.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
@@ -104,10 +104,10 @@ Wireframe_graph<GeomTraits> build_graph(const Wireframe_skeleton<GeomTraits>& sk
   if (skeleton.is_empty())
     return Wireframe_graph<GeomTraits>();
   if (options.graph_method == Graph_method::SUBDIVIDED) {
-    std::vector<Network_subdivider::Corner> centers;
+    std::vector<Subdivided_network::Corner> centers;
     for (const Wireframe_corner<GeomTraits>& corner : corners)
       centers.push_back({skeleton.to_local(corner.center), CGAL::to_double(corner.radius) / skeleton.unit()});
-    return to_graph(Network_subdivider(skeleton.band(), options).run(clusters, centers), skeleton, 0.);
+    return to_graph(Subdivided_network(skeleton.band(), options).run(clusters, centers), skeleton, 0.);
   }
   std::vector<std::size_t> seeds;
   for (const std::vector<std::size_t>& cluster : clusters)
@@ -115,7 +115,7 @@ Wireframe_graph<GeomTraits> build_graph(const Wireframe_skeleton<GeomTraits>& sk
       CGAL_precondition(i < skeleton.size());
       seeds.push_back(i);
     }
-  const Network_tracer tracer(skeleton.band(), skeleton.surroundings(), skeleton.contraction(), options);
+  const Traced_network tracer(skeleton.band(), skeleton.surroundings(), skeleton.contraction(), options);
   return to_graph(tracer.run(seeds, proceed), skeleton, 0.9);
 }
 

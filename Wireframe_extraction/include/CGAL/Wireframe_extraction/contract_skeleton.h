@@ -13,9 +13,9 @@
 #define CGAL_WIREFRAME_EXTRACTION_CONTRACT_SKELETON_H
 
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
-#include <CGAL/Wireframe_extraction/internal/Contraction.h>
-#include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
-#include <CGAL/Wireframe_extraction/internal/run_concurrently.h>
+#include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
+#include <CGAL/Wireframe_extraction/internal/field/Contraction.h>
+#include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 
 #include <functional>
 #include <memory>

@@ -13,8 +13,8 @@
 #define CGAL_WIREFRAME_EXTRACTION_DETECT_CORNERS_H
 
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
-#include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
-#include <CGAL/Wireframe_extraction/internal/farthest_point_sampling.h>
+#include <CGAL/Wireframe_extraction/internal/base/farthest_point_sampling.h>
+#include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Union_find.h>

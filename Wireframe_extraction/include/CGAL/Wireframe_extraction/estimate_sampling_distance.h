@@ -12,9 +12,9 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_ESTIMATE_SAMPLING_DISTANCE_H
 #define CGAL_WIREFRAME_EXTRACTION_ESTIMATE_SAMPLING_DISTANCE_H
 
-#include <CGAL/Wireframe_extraction/internal/Range_source.h>
-#include <CGAL/Wireframe_extraction/internal/Surveyed_cloud.h>
-#include <CGAL/Wireframe_extraction/internal/cloud_access.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Range_source.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/cloud_access.h>
 
 namespace CGAL {
 namespace Wireframe_extraction {

@@ -15,8 +15,8 @@
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/Wireframe_graph.h>
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
-#include <CGAL/Wireframe_extraction/internal/Spline_network_fit.h>
-#include <CGAL/Wireframe_extraction/internal/run_concurrently.h>
+#include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
+#include <CGAL/Wireframe_extraction/internal/fit/Spline_network_fit.h>
 
 #include <CGAL/boost/graph/split_graph_into_polylines.h>
 

@@ -13,8 +13,8 @@
 #define CGAL_WIREFRAME_EXTRACTION_FUSE_DISTANCE_PATCHES_H
 
 #include <CGAL/Wireframe_extraction/Distance_patch.h>
-#include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
-#include <CGAL/Wireframe_extraction/internal/Patch_fuser.h>
+#include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Patch_fuser.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 #include <CGAL/Wireframe_extraction/policies.h>
 

@@ -17,7 +17,7 @@
 #include <CGAL/Named_function_parameters.h>
 
 #ifndef DOXYGEN_RUNNING // the manual lists a parameter at each function that takes it
-#define CGAL_WIREFRAME_NP_LIST <CGAL/Wireframe_extraction/internal/parameters_interface.h>
+#define CGAL_WIREFRAME_NP_LIST <CGAL/Wireframe_extraction/internal/options/parameters_interface.h>
 #endif
 
 namespace CGAL {

@@ -15,10 +15,10 @@
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
-#include <CGAL/Wireframe_extraction/internal/Curve_type_recognizer.h>
-#include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
-#include <CGAL/Wireframe_extraction/internal/run_concurrently.h>
-#include <CGAL/Wireframe_extraction/internal/Typed_curve_maker.h>
+#include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
+#include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/types/Curve_type_recognizer.h>
+#include <CGAL/Wireframe_extraction/internal/types/Typed_curve_maker.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <CGAL/number_type_config.h>

@@ -13,9 +13,9 @@
 #define CGAL_WIREFRAME_EXTRACTION_REFINE_FIELD_H
 
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
-#include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
-#include <CGAL/Wireframe_extraction/internal/Field_refinement.h>
-#include <CGAL/Wireframe_extraction/internal/run_concurrently.h>
+#include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
+#include <CGAL/Wireframe_extraction/internal/field/Field_refinement.h>
+#include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 #include <CGAL/Wireframe_extraction/select_skeleton.h>
 

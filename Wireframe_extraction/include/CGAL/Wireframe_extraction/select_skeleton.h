@@ -13,12 +13,12 @@
 #define CGAL_WIREFRAME_EXTRACTION_SELECT_SKELETON_H
 
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
-#include <CGAL/Wireframe_extraction/internal/Extraction_options.h>
-#include <CGAL/Wireframe_extraction/internal/Range_source.h>
-#include <CGAL/Wireframe_extraction/internal/Surveyed_cloud.h>
-#include <CGAL/Wireframe_extraction/internal/cell_key.h>
-#include <CGAL/Wireframe_extraction/internal/cloud_access.h>
-#include <CGAL/Wireframe_extraction/internal/median.h>
+#include <CGAL/Wireframe_extraction/internal/base/cell_key.h>
+#include <CGAL/Wireframe_extraction/internal/base/median.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Range_source.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/cloud_access.h>
+#include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 
 #include <CGAL/number_utils.h>
 

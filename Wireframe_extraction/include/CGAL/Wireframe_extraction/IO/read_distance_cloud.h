@@ -12,9 +12,9 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_READ_DISTANCE_CLOUD_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_READ_DISTANCE_CLOUD_H
 
-#include <CGAL/Wireframe_extraction/IO/internal/Sample_filter.h>
-#include <CGAL/Wireframe_extraction/IO/internal/cloud_formats.h>
-#include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_filter.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/cloud_formats.h>
+#include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <cstddef>

@@ -13,9 +13,9 @@
 #define CGAL_WIREFRAME_EXTRACTION_IO_READ_DISTANCE_PATCHES_H
 
 #include <CGAL/Wireframe_extraction/Distance_patch.h>
-#include <CGAL/Wireframe_extraction/IO/internal/Sample_filter.h>
-#include <CGAL/Wireframe_extraction/IO/internal/cloud_formats.h>
-#include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_filter.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/cloud_formats.h>
+#include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
 #include <CGAL/Wireframe_extraction/IO/read_distance_cloud.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 

@@ -12,11 +12,11 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_READ_WIREFRAME_JSON_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_READ_WIREFRAME_JSON_H
 
-#include <CGAL/Wireframe_extraction/IO/internal/file_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/text_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/wireframe_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/file/file_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/wireframe_tools.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <nlohmann/json.hpp>

@@ -12,8 +12,8 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_H
 
-#include <CGAL/Wireframe_extraction/IO/internal/file_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/file/file_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
 #include <CGAL/Wireframe_extraction/IO/write_wireframe_csv.h>
 #include <CGAL/Wireframe_extraction/IO/write_wireframe_dxf.h>
 #include <CGAL/Wireframe_extraction/IO/write_wireframe_gltf.h>

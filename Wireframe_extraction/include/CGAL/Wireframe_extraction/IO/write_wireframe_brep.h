@@ -12,9 +12,9 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_BREP_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_BREP_H
 
-#include <CGAL/Wireframe_extraction/IO/internal/Opencascade_session.h>
-#include <CGAL/Wireframe_extraction/IO/internal/Wireframe_shape.h>
-#include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Opencascade_session.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Wireframe_shape.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 

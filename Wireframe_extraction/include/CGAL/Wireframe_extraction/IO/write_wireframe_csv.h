@@ -12,11 +12,11 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_CSV_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_CSV_H
 
-#include <CGAL/Wireframe_extraction/IO/internal/curve_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/text_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/wireframe_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/curve_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/wireframe_tools.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <CGAL/number_utils.h>

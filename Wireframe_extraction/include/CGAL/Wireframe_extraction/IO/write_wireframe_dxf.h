@@ -12,11 +12,11 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_DXF_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_DXF_H
 
-#include <CGAL/Wireframe_extraction/IO/internal/curve_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/dxf_frame.h>
-#include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/unit_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/wireframe_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/curve_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/dxf_frame.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/unit_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/wireframe_tools.h>
 #include <CGAL/Wireframe_extraction/Spline_curve_3.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/parameters.h>

@@ -12,13 +12,13 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_GLTF_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_GLTF_H
 
-#include <CGAL/Wireframe_extraction/IO/internal/Sampled_wireframe.h>
-#include <CGAL/Wireframe_extraction/IO/internal/byte_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/curve_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/file_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/unit_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/wireframe_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/file/byte_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/file/file_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Sampled_wireframe.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/curve_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/unit_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/wireframe_tools.h>
 #include <CGAL/Wireframe_extraction/IO/write_wireframe_json.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/parameters.h>

@@ -12,8 +12,8 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_JSON_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_JSON_H
 
-#include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/wireframe_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/wireframe_tools.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 

@@ -12,9 +12,9 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_OBJ_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_OBJ_H
 
-#include <CGAL/Wireframe_extraction/IO/internal/Sampled_wireframe.h>
-#include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/wireframe_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Sampled_wireframe.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/wireframe_tools.h>
 #include <CGAL/Wireframe_extraction/Spline_curve_3.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/parameters.h>

@@ -12,14 +12,14 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_SVG_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_SVG_H
 
-#include <CGAL/Wireframe_extraction/IO/internal/Sampled_wireframe.h>
-#include <CGAL/Wireframe_extraction/IO/internal/curve_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/drawing_views.h>
-#include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/text_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/unit_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/wireframe_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Sampled_wireframe.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/curve_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/drawing_views.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/unit_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/wireframe_tools.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <algorithm>

@@ -12,12 +12,12 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_VTP_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_VTP_H
 
-#include <CGAL/Wireframe_extraction/IO/internal/Sampled_wireframe.h>
-#include <CGAL/Wireframe_extraction/IO/internal/parameter_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/text_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/unit_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/wireframe_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Sampled_wireframe.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/unit_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/wireframe_tools.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <CGAL/number_utils.h>

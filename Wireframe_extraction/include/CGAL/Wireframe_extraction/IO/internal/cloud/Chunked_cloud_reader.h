@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_CHUNKED_CLOUD_READER_H
+#define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_CHUNKED_CLOUD_READER_H
+
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Chunked_input.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_chunk.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_filter.h>
+#include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
+
+#include <cstddef>
+#include <istream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CGAL {
+namespace IO {
+namespace internal {
+
+// What readers of point clouds have in common that hand out samples chunk by chunk: the input, the chunk, and how
+// errors are told.
+class Chunked_cloud_reader
+{
+public:
+  const Sample_filter& filter() const { return filter_; }
+  const std::string& error() const { return error_; }
+
+protected:
+  // `kind` is what lines that are too long are too long for
+  Chunked_cloud_reader(std::istream& stream, const std::string& filename, const Cloud_reader_options& options,
+                       const char* kind)
+    : input_(stream), filename_(filename), options_(options), filter_(options), kind_(kind)
+  {}
+
+  bool fail(const std::string& error)
+  {
+    error_ = error;
+    return false;
+  }
+
+  bool fail_at_line(const std::string& what)
+  {
+    return fail(filename_ + ":" + std::to_string(input_.line_number()) + ": " + what);
+  }
+
+  bool fail_truncated(const std::string& where)
+  {
+    if(!error_.empty())
+      return false;
+    return fail(filename_ + (input_.has_failed() ? ": reading failed " : ": is truncated: it ends ") + where
+                + (input_.has_failed() ? "" : "; get a complete copy of the file"));
+  }
+
+  // whether the file has content
+  bool check_start()
+  {
+    return input_.require(1) > 0
+           || fail(filename_ + ": " + (input_.has_failed() ? "cannot be read" : empty_file_text()));
+  }
+
+  // the words of the next line that has some; what follows a # is left out if lines have comments
+  bool next_words(std::vector<std::string_view>& words, bool has_comments)
+  {
+    std::string_view line;
+    for(;;)
+    {
+      const Chunked_input::Line_status status = input_.next_line(line);
+      if(status == Chunked_input::Line_status::TOO_LONG)
+        return fail(filename_ + ":" + std::to_string(input_.line_number() + 1) + ": the line is too long for " + kind_);
+      if(status == Chunked_input::Line_status::END)
+        return false;
+      split_at_blanks(has_comments ? line.substr(0, line.find('#')) : line, words);
+      if(!words.empty())
+        return true;
+    }
+  }
+
+  // takes a sample, and hands the chunk out if it is full
+  template <class Sink>
+  bool keep(Distance_sample sample, std::size_t line, Sink& sink)
+  {
+    return !filter_(sample, line) || chunk_.add(sample, sink) || fail_as_stopped();
+  }
+
+  template <class Sink>
+  bool flush(Sink& sink)
+  {
+    return chunk_.flush(sink) || fail_as_stopped();
+  }
+
+  Chunked_input input_;
+  std::string filename_;
+  const Cloud_reader_options& options_;
+  Sample_filter filter_;
+  std::string error_;
+
+private:
+  bool fail_as_stopped() { return fail(filename_ + ": " + Sample_chunk::stopped_text()); }
+
+  const char* kind_;
+  Sample_chunk chunk_;
+};
+
+} // namespace internal
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_CHUNKED_CLOUD_READER_H

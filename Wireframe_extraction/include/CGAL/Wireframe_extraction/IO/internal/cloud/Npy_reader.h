@@ -1,0 +1,328 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_NPY_READER_H
+#define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_NPY_READER_H
+
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Number_array.h>
+#include <CGAL/Wireframe_extraction/IO/internal/file/byte_tools.h>
+#include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
+
+#include <CGAL/config.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace IO {
+namespace internal {
+
+// Where bytes come from: a file, or a part of an archive.
+class Byte_source
+{
+public:
+  virtual ~Byte_source() {}
+
+  // returns how many bytes were there, fewer only at the end
+  virtual std::size_t read(char* target, std::size_t size) = 0;
+  // no more bytes than this can still come
+  virtual std::uint64_t largest_rest() const = 0;
+  // why there are no more, if it is not the end
+  virtual const std::string& error() const = 0;
+};
+
+class File_bytes : public Byte_source
+{
+public:
+  explicit File_bytes(std::istream& stream) : stream_(stream), rest_((std::numeric_limits<std::uint64_t>::max)())
+  {
+    const std::istream::pos_type begin = stream_.tellg();
+    if(begin != std::istream::pos_type(-1) && stream_.seekg(0, std::ios::end))
+    {
+      const std::istream::pos_type end = stream_.tellg();
+      stream_.seekg(begin);
+      if(end > begin) // special files say zero and may still deliver
+        rest_ = static_cast<std::uint64_t>(end - begin);
+    }
+    stream_.clear();
+  }
+
+  std::size_t read(char* target, std::size_t size) override
+  {
+    stream_.read(target, static_cast<std::streamsize>(size));
+    if(stream_.bad())
+      error_ = "reading failed";
+    const std::size_t count = static_cast<std::size_t>(stream_.gcount());
+    rest_ -= (std::min)(rest_, std::uint64_t(count));
+    return count;
+  }
+
+  std::uint64_t largest_rest() const override { return rest_; }
+  const std::string& error() const override { return error_; }
+
+private:
+  std::istream& stream_;
+  std::uint64_t rest_;
+  std::string error_;
+};
+
+// The header of a .npy file: a Python dictionary with exactly three entries.
+class Npy_header
+{
+public:
+  char kind = 'f';
+  std::size_t size = 0;
+  bool is_swapped = false, is_fortran_order = false;
+  std::vector<std::uint64_t> shape;
+
+  // returns what is wrong with it, nothing if all is well
+  std::string parse(std::string_view text)
+  {
+    text_ = text;
+    bool has_type = false, has_order = false, has_shape = false;
+    if(!accept('{'))
+      return malformed();
+    while(!accept('}'))
+    {
+      std::string key;
+      if(!accept_string(key) || !accept(':'))
+        return malformed();
+      bool& is_there = key == "descr" ? has_type : key == "fortran_order" ? has_order : has_shape;
+      if(is_there || (key != "descr" && key != "fortran_order" && key != "shape"))
+        return "its header has an unexpected entry " + quote(key);
+      is_there = true;
+      const std::string error = key == "descr" ? parse_type() : key == "shape" ? parse_shape() : parse_order();
+      if(!error.empty())
+        return error;
+      if(!accept(',') && next() != '}')
+        return malformed();
+    }
+    if(next() != '\0')
+      return malformed();
+    return has_type && has_order && has_shape ? std::string() : "its header lacks descr, fortran_order or shape";
+  }
+
+private:
+  static std::string malformed()
+  {
+    return "its header is malformed: the file is damaged, or no NumPy file; write it with numpy.save()";
+  }
+
+  char next()
+  {
+    while(!text_.empty() && (is_blank(text_.front()) || text_.front() == '\n'))
+      text_.remove_prefix(1);
+    return text_.empty() ? '\0' : text_.front();
+  }
+
+  bool accept(char c)
+  {
+    if(next() != c)
+      return false;
+    text_.remove_prefix(1);
+    return true;
+  }
+
+  bool accept_string(std::string& value)
+  {
+    const char mark = next();
+    if(mark != '\'' && mark != '"')
+      return false;
+    const std::size_t end = text_.find(mark, 1);
+    if(end == std::string_view::npos)
+      return false;
+    value = std::string(text_.substr(1, end - 1));
+    text_.remove_prefix(end + 1);
+    return true;
+  }
+
+  std::string parse_type()
+  {
+    const std::string remedy = "; float32 and float64 are read: convert it with numpy.asarray(array, dtype=float)";
+    if(next() == '[')
+      return "is a structured array" + remedy;
+    std::string type;
+    if(!accept_string(type))
+      return malformed();
+    if(type.size() > 1 && type[1] == 'O')
+      return "is an array of Python objects, which only Python can read" + remedy;
+    const char order = type.empty() ? '\0' : type[0];
+    if(type.size() < 3 || (order != '<' && order != '>' && order != '|' && order != '=')
+       || !parse_count(std::string_view(type).substr(2), size) || !is_number_type(type[1], size)
+       || (order == '|' && size != 1))
+      return "has numbers of the type " + quote(type) + remedy;
+    kind = type[1];
+    is_swapped = (order == '<' && !is_host_little_endian()) || (order == '>' && is_host_little_endian());
+    return std::string();
+  }
+
+  std::string parse_order()
+  {
+    next();
+    for(const char* const word : { "True", "False" })
+      if(starts_with(text_, word))
+      {
+        is_fortran_order = (word[0] == 'T');
+        text_.remove_prefix(std::string_view(word).size());
+        return std::string();
+      }
+    return malformed();
+  }
+
+  std::string parse_shape()
+  {
+    if(!accept('('))
+      return malformed();
+    while(!accept(')'))
+    {
+      next();
+      const std::size_t end = (std::min)(text_.find_first_not_of("0123456789"), text_.size());
+      std::uint64_t count = 0;
+      if(!parse_count(text_.substr(0, end), count) || shape.size() == 32)
+        return malformed();
+      shape.push_back(count);
+      text_.remove_prefix(end);
+      if(!accept(',') && next() != ')')
+        return malformed();
+    }
+    return std::string();
+  }
+
+  std::string_view text_;
+};
+
+// Reads what numpy.save() writes. Memory goes to what is there, not to what the header promises.
+class Npy_reader
+{
+public:
+  Npy_reader(Byte_source& source, const std::string& name) : source_(source), name_(name) {}
+
+  bool read(Number_array& array)
+  {
+    Npy_header header;
+    std::uint64_t count = 0;
+    if(!read_header(header))
+      return false;
+    if(!find_number_of_values(header.shape, count) || count > source_.largest_rest() / header.size)
+      return fail("its header promises the shape " + shape_text(header.shape) + " of "
+                  + std::to_string(8 * header.size) + " bit numbers, but it has at most "
+                  + std::to_string(source_.largest_rest()) + " bytes after the header: it is truncated or its header "
+                    "is wrong; get a complete copy of the file");
+    array.shape = header.shape;
+    if(!read_values(header, count, array.values))
+      return false;
+    char byte;
+    if(source_.read(&byte, 1) != 0)
+      return fail("holds more than the shape " + shape_text(header.shape) + " that its header promises");
+    if(!source_.error().empty())
+      return fail(source_.error());
+    if(header.is_fortran_order)
+      reorder(array);
+    return true;
+  }
+
+  const std::string& error() const { return error_; }
+
+private:
+  bool fail(const std::string& what)
+  {
+    error_ = name_ + ": " + what;
+    return false;
+  }
+
+  bool fail_truncated(const std::string& where)
+  {
+    return fail(!source_.error().empty() ? source_.error()
+                                         : "is truncated: it ends " + where + "; get a complete copy of the file");
+  }
+
+  bool read_header(Npy_header& header)
+  {
+    char start[12];
+    const std::size_t size = source_.read(start, 8);
+    if(size == 0)
+      return source_.error().empty() ? fail(empty_file_text()) : fail(source_.error());
+    if(std::string_view(start, (std::min)(size, std::size_t(6))) != std::string_view("\x93NUMPY", 6))
+      return fail("is no NumPy file: it starts with " + quote(std::string_view(start, size))
+                  + "; numpy.save() writes one");
+    if(size < 8)
+      return fail_truncated("in its header");
+    const int version = static_cast<unsigned char>(start[6]);
+    if(version < 1 || version > 3)
+      return fail("has version " + std::to_string(version) + " of the format; versions 1 to 3 are known");
+    const std::size_t number_of_length_bytes = (version == 1) ? 2 : 4;
+    if(source_.read(start + 8, number_of_length_bytes) < number_of_length_bytes)
+      return fail_truncated("in its header");
+    const std::size_t length = (version == 1) ? load_little_endian<std::uint16_t>(start + 8)
+                                              : load_little_endian<std::uint32_t>(start + 8);
+    if(length > largest_header)
+      return fail("its header is " + std::to_string(length) + " bytes long, which no header of an array of numbers is");
+    std::string text(length, '\0');
+    if(source_.read(&text[0], length) < length)
+      return fail_truncated("in its header");
+    const std::string error = header.parse(text);
+    return error.empty() || fail(error);
+  }
+
+  bool read_values(const Npy_header& header, std::uint64_t count, std::vector<double>& values)
+  {
+    static constexpr std::size_t values_per_chunk = 8192;
+    std::vector<char> bytes(values_per_chunk * header.size);
+    for(std::uint64_t done = 0; done < count;)
+    {
+      const std::size_t wanted = static_cast<std::size_t>((std::min)(count - done, std::uint64_t(values_per_chunk)));
+      const std::size_t there = source_.read(bytes.data(), wanted * header.size) / header.size;
+      for(std::size_t i = 0; i < there; ++i)
+        values.push_back(load_number(header.kind, header.size, bytes.data() + i * header.size, header.is_swapped));
+      done += there;
+      if(there < wanted)
+        return fail_truncated("after " + std::to_string(done) + " of " + std::to_string(count) + " numbers");
+    }
+    return true;
+  }
+
+  // In Fortran's order the first index runs fastest, in ours the last one.
+  static void reorder(Number_array& array)
+  {
+    std::vector<double> ordered;
+    ordered.reserve(array.values.size());
+    std::vector<std::size_t> position(array.shape.size(), 0);
+    while(ordered.size() < array.values.size())
+    {
+      std::size_t index = 0;
+      for(std::size_t i = position.size(); i-- > 0;)
+        index = index * static_cast<std::size_t>(array.shape[i]) + position[i];
+      ordered.push_back(array.values[index]);
+      for(std::size_t i = position.size(); i-- > 0 && ++position[i] == array.shape[i];)
+        position[i] = 0;
+    }
+    array.values.swap(ordered);
+  }
+
+  static constexpr std::size_t largest_header = std::size_t(1) << 20;
+
+  Byte_source& source_;
+  std::string name_;
+  std::string error_;
+};
+
+} // namespace internal
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_NPY_READER_H

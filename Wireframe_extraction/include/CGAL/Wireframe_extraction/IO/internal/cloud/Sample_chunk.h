@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_SAMPLE_CHUNK_H
+#define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_SAMPLE_CHUNK_H
+
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_filter.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace IO {
+namespace internal {
+
+// Collects samples and hands them out many at once, to a sink that says whether it wants more.
+class Sample_chunk
+{
+public:
+  static constexpr std::size_t capacity = 4096;
+
+  // returns whether more samples are wanted
+  template <class Sink>
+  bool add(const Distance_sample& sample, Sink& sink)
+  {
+    samples_.push_back(sample);
+    return samples_.size() < capacity || flush(sink);
+  }
+
+  template <class Sink>
+  bool flush(Sink& sink)
+  {
+    const bool goes_on = samples_.empty() || sink(samples_.data(), samples_.data() + samples_.size());
+    samples_.clear();
+    return goes_on;
+  }
+
+  // for messages, when no more samples are wanted
+  static std::string stopped_text() { return "reading was stopped"; }
+
+private:
+  std::vector<Distance_sample> samples_;
+};
+
+} // namespace internal
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_SAMPLE_CHUNK_H

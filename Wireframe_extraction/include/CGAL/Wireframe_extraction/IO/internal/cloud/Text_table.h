@@ -1,0 +1,171 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_TEXT_TABLE_H
+#define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_TEXT_TABLE_H
+
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Chunked_input.h>
+#include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <istream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CGAL {
+namespace IO {
+namespace internal {
+
+// Hands out the lines of a text file that hold data, split into columns.
+class Text_table
+{
+public:
+  Text_table(std::istream& stream, const std::string& filename) : input_(stream), filename_(filename) {}
+
+  enum class Row { DATA, END, FAILED };
+
+  // The first line of data decides what separates the columns: a semicolon if it has one, else a comma if it
+  // has one, else blanks. So a decimal comma can never pass as a separator unnoticed.
+  Row next_row(std::vector<std::string_view>& fields)
+  {
+    std::string_view line;
+    for(;;)
+    {
+      const Chunked_input::Line_status status = input_.next_line(line);
+      if(status == Chunked_input::Line_status::TOO_LONG)
+        return fail_after_line("is longer than a line of numbers can be; is this a text file?");
+      if(status == Chunked_input::Line_status::END)
+        return input_.has_failed() ? fail_after_line("reading failed") : Row::END;
+      if(input_.line_number() == 1 && starts_with(line, "\xEF\xBB\xBF"))
+        line.remove_prefix(3);
+      line = trim(line);
+      if(is_comment(line))
+      {
+        if(number_of_rows_ == 0)
+          last_comment_ = std::string(line.substr(line[0] == '#' ? 1 : 2));
+        continue;
+      }
+      line = trim(line.substr(0, line.find('#')));
+      if(line.empty())
+        continue;
+      if(!is_separator_fixed_ && has_control_characters(line))
+        return fail_with(line_number(), "holds bytes that are no text; only plain text in ASCII or UTF-8 "
+                                        "is read");
+      split(line, fields);
+      return Row::DATA;
+    }
+  }
+
+  // to be called when the first row of data was recognised: from now on its separator is the separator
+  void fix_separator() { is_separator_fixed_ = true; }
+
+  // Whether columns of numbers were split at commas that can only be decimal ones: "0,5 1,5" is 0, 5 1 and 5.
+  bool has_decimal_commas(const std::vector<std::string_view>& fields) const
+  {
+    std::vector<std::string_view> words;
+    double value;
+    return separator_ == ',' && std::any_of(fields.begin(), fields.end(), [&](std::string_view field)
+    {
+      split_at_blanks(field, words);
+      return words.size() > 1 && std::all_of(words.begin(), words.end(),
+                                             [&](std::string_view word) { return parse_number(word, value); });
+    });
+  }
+
+  // the last comment before the first row of data
+  const std::string& last_comment() const { return last_comment_; }
+
+  bool is_empty_file() { return input_.consumed() == 0; }
+  std::size_t line_number() const { return input_.line_number(); }
+  const std::string& filename() const { return filename_; }
+  const std::string& error() const { return error_; }
+
+  bool fail(const std::string& error)
+  {
+    error_ = error;
+    return false;
+  }
+
+  bool fail_at_line(const std::string& what)
+  {
+    return fail(filename_ + ":" + std::to_string(line_number()) + ": " + what);
+  }
+
+  static char find_separator(std::string_view line)
+  {
+    if(line.find(';') != std::string_view::npos)
+      return ';';
+    return line.find(',') != std::string_view::npos ? ',' : ' ';
+  }
+
+  static void split_by(char separator, std::string_view line, std::vector<std::string_view>& fields)
+  {
+    if(separator == ' ')
+      split_at_blanks(line, fields);
+    else
+      split_at(separator, line, fields);
+  }
+
+private:
+  static bool is_comment(std::string_view line)
+  {
+    return starts_with(line, "#") || starts_with(line, "//");
+  }
+
+  static bool has_control_characters(std::string_view line)
+  {
+    return std::any_of(line.begin(), line.end(),
+                       [](char c) { return static_cast<unsigned char>(c) < 32 && !is_blank(c); });
+  }
+
+  Row fail_with(std::size_t line_number, const std::string& what)
+  {
+    error_ = filename_ + ":" + std::to_string(line_number) + ": " + what;
+    return Row::FAILED;
+  }
+
+  Row fail_after_line(const std::string& what)
+  {
+    return fail_with(line_number() + 1, what);
+  }
+
+  void split(std::string_view line, std::vector<std::string_view>& fields)
+  {
+    ++number_of_rows_;
+    if(!is_separator_fixed_)
+      separator_ = find_separator(line);
+    split_by(separator_, line, fields);
+  }
+
+  Chunked_input input_;
+  std::string filename_;
+  std::string last_comment_;
+  std::string error_;
+  char separator_ = ' ';
+  bool is_separator_fixed_ = false;
+  std::size_t number_of_rows_ = 0;
+};
+
+// a number, or what was meant to be one, such as "1,5"
+inline bool looks_like_number(std::string_view field)
+{
+  double value;
+  return !field.empty() && (std::string_view("0123456789+-.").find(field[0]) != std::string_view::npos
+                            || parse_number(field, value));
+}
+
+} // namespace internal
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_TEXT_TABLE_H

@@ -1,0 +1,203 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_BASE_TEXT_TOOLS_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_BASE_TEXT_TOOLS_H
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <locale>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+namespace CGAL {
+namespace IO {
+namespace internal {
+
+inline bool is_blank(char c)
+{
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+
+inline std::string_view trim(std::string_view text)
+{
+  while(!text.empty() && is_blank(text.front()))
+    text.remove_prefix(1);
+  while(!text.empty() && is_blank(text.back()))
+    text.remove_suffix(1);
+  return text;
+}
+
+inline bool starts_with(std::string_view text, std::string_view prefix)
+{
+  return text.substr(0, prefix.size()) == prefix;
+}
+
+// ASCII only, so that no locale has a say
+inline std::string to_lower(std::string_view text)
+{
+  std::string lower(text);
+  for(char& c : lower)
+    if(c >= 'A' && c <= 'Z')
+      c = static_cast<char>(c - 'A' + 'a');
+  return lower;
+}
+
+// text of a file as it may stand in a message: short, and without bytes a terminal could choke on
+inline std::string printable(std::string_view text, std::size_t limit = 40)
+{
+  std::string result;
+  for(char c : text.substr(0, limit))
+    result += (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126) ? '?' : c;
+  return result + (text.size() > limit ? "..." : "");
+}
+
+inline std::string quote(std::string_view text)
+{
+  return "\"" + printable(text) + "\"";
+}
+
+// the shortest text that reads back as the same double, with a point whatever the locale
+inline std::string number_to_string(double value)
+{
+#if defined(__cpp_lib_to_chars)
+  char digits[64];
+  const std::to_chars_result result = std::to_chars(digits, digits + sizeof(digits), value);
+  return std::string(digits, result.ptr);
+#else
+  std::ostringstream stream;
+  stream.imbue(std::locale::classic());
+  stream.precision(17);
+  stream << value;
+  return stream.str();
+#endif
+}
+
+inline double out_of_range_value(std::string_view text)
+{
+  const std::size_t exponent = text.find_first_of("eE");
+  const bool is_tiny = exponent != std::string_view::npos && exponent + 1 < text.size()
+                       && text[exponent + 1] == '-';
+  return is_tiny ? 0. : std::numeric_limits<double>::infinity();
+}
+
+// reads a number that takes the whole text; independent of the locale, "nan" and "inf" are numbers
+inline bool parse_number(std::string_view text, double& value)
+{
+  if(text.size() > 1 && text[0] == '+' && text[1] != '-')
+    text.remove_prefix(1);
+  if(text.empty())
+    return false;
+  const char* const last = text.data() + text.size();
+#if defined(__cpp_lib_to_chars)
+  const std::from_chars_result result = std::from_chars(text.data(), last, value);
+  if(result.ptr != last || result.ec == std::errc::invalid_argument)
+    return false;
+  if(result.ec == std::errc::result_out_of_range)
+    value = out_of_range_value(text);
+  return true;
+#else
+  const std::string lower = to_lower(text);
+  if(lower == "nan" || lower == "-nan" || lower == "inf" || lower == "-inf")
+  {
+    value = std::numeric_limits<double>::infinity();
+    return true;
+  }
+  std::istringstream stream(lower);
+  stream.imbue(std::locale::classic());
+  stream >> value;
+  if(stream.fail() && std::abs(value) >= (std::numeric_limits<double>::max)())
+  {
+    value = out_of_range_value(text);
+    stream.clear();
+  }
+  return !stream.fail() && stream.peek() == std::istringstream::traits_type::eof();
+#endif
+}
+
+// reads a natural number that takes the whole text
+template <class Unsigned>
+bool parse_count(std::string_view text, Unsigned& value)
+{
+  const char* const last = text.data() + text.size();
+  const std::from_chars_result result = std::from_chars(text.data(), last, value);
+  return !text.empty() && result.ptr == last && result.ec == std::errc();
+}
+
+// splits at blanks
+inline void split_at_blanks(std::string_view text, std::vector<std::string_view>& fields)
+{
+  fields.clear();
+  std::size_t position = 0;
+  while(position < text.size())
+  {
+    if(is_blank(text[position]))
+    {
+      ++position;
+      continue;
+    }
+    const std::size_t begin = position;
+    while(position < text.size() && !is_blank(text[position]))
+      ++position;
+    fields.push_back(text.substr(begin, position - begin));
+  }
+}
+
+// splits at every separator; blanks around a field do not count, and neither does a separator at the end
+inline void split_at(char separator, std::string_view text, std::vector<std::string_view>& fields)
+{
+  fields.clear();
+  while(!text.empty())
+  {
+    const std::size_t end = text.find(separator);
+    fields.push_back(trim(text.substr(0, end)));
+    text = (end == std::string_view::npos) ? std::string_view() : text.substr(end + 1);
+    if(trim(text).empty())
+      return;
+  }
+}
+
+// "a, b, c" or "(none)"
+template <class Names>
+std::string join(const Names& names)
+{
+  std::string text;
+  for(const auto& name : names)
+    text += (text.empty() ? "" : ", ") + printable(name);
+  return text.empty() ? "(none)" : text;
+}
+
+// what is wrong with a file without a single byte, and what helps
+inline const char* empty_file_text() { return "is empty; get a complete copy of the file"; }
+
+// what is wrong with a text that is to be a number, and what helps
+inline std::string no_number_text(std::string_view text)
+{
+  return (text.empty() ? std::string("empty") : quote(text) + ", no number")
+         + (text.find(',') != std::string_view::npos ? "; decimals need a point, not a comma"
+                                                     : "; write a number there");
+}
+
+inline std::string plural(std::size_t count, const std::string& one, const std::string& many)
+{
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+} // namespace internal
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_BASE_TEXT_TOOLS_H

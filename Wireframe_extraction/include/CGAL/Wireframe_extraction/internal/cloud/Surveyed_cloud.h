@@ -1,0 +1,248 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_SURVEYED_CLOUD_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_SURVEYED_CLOUD_H
+
+#include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Cloud_values.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Density_candidates.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Distance_histogram.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Neighbor_scan.h>
+#include <CGAL/Wireframe_extraction/parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+template <class NamedParameters>
+std::size_t points_in_memory(const NamedParameters& np)
+{
+  return static_cast<std::size_t>(CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, internal_np::points_in_memory), std::size_t(1) << 20));
+}
+
+// A cloud of which what all stages ask is known after it was read once. A small one is then in memory; a large one
+// stays where it is, and is read again whenever all points are wanted. What it tells is the same either way.
+class Surveyed_cloud
+{
+  typedef Distance_cloud_source::Sample Sample;
+
+  Distance_cloud_source& m_source;
+  Position_sample m_sample;
+  std::unique_ptr<Distance_histogram> m_histogram;
+  std::size_t m_number_of_points = 0, m_not_finite = 0, m_negative = 0, m_first_invalid = 0;
+  double m_smallest = (std::numeric_limits<double>::infinity)(), m_largest = 0.;
+  std::size_t m_number_of_largest = 0;
+  mutable std::string m_error;
+
+public:
+  Surveyed_cloud(Distance_cloud_source& source, std::size_t points_in_memory)
+    : m_source(source), m_sample(points_in_memory)
+  {}
+
+  std::size_t number_of_points() const { return m_number_of_points; }
+  std::size_t number_of_not_finite() const { return m_not_finite; }
+  std::size_t number_of_negative() const { return m_negative; }
+  std::size_t number_of_valid() const { return m_number_of_points - m_not_finite - m_negative; }
+  std::size_t first_invalid() const { return m_first_invalid; }
+  double smallest_distance() const { return m_smallest; }
+  double largest_distance() const { return m_largest; }
+  std::size_t number_of_largest() const { return m_number_of_largest; }
+
+  // why it could not be read; empty if it could
+  const std::string& error() const { return m_error; }
+
+  bool is_in_memory() const { return m_sample.is_complete(); }
+
+  // all points, or a sample of them
+  const Cloud_values& sample() const { return m_sample.values(); }
+
+  // reads it for the first time
+  bool survey()
+  {
+    m_sample.reserve(m_source.size_hint());
+    const bool is_read = m_source.read([&](const Sample* first, const Sample* beyond) {
+      for (; first != beyond; ++first)
+        survey(*first);
+      return true;
+    });
+    m_sample.thin_out();
+    if (!is_read)
+      m_error = reason();
+    return is_read;
+  }
+
+  // calls `use(position, distance, index)` for every valid point
+  template <class Use>
+  void for_each(const Use& use) const
+  {
+    if (is_in_memory()) {
+      m_sample.values().for_each(use);
+      return;
+    }
+    if (!m_error.empty())
+      return;
+    std::size_t index = 0;
+    const bool is_read = m_source.read([&](const Sample* first, const Sample* beyond) {
+      for (; first != beyond; ++first, ++index)
+        if (is_finite(*first) && first->distance >= 0.)
+          use(Vector(first->x, first->y, first->z), first->distance, index);
+      return true;
+    });
+    if (!is_read)
+      m_error = reason();
+    else if (index != m_number_of_points)
+      m_error = "the cloud had " + std::to_string(m_number_of_points) + " points when it was read first, and "
+        + std::to_string(index) + " later; let it be unchanged meanwhile";
+  }
+
+  Cloud_scale scale() const
+  {
+    Cloud_values others;      // candidates that are not in memory
+    const Cloud_values& values = is_in_memory() ? sample() : others;
+    const std::vector<std::size_t> queries = density_queries(values, others);
+    if (is_in_memory() && sample().size() <= least_to_scan)
+      return cloud_scale(sample().positions, sample().distances, queries);
+    Neighbor_scan scan;
+    for (std::size_t i : queries)
+      scan.add_query(values.positions[i], values.distances[i]);
+    if (is_in_memory()) {
+      start_with_few(scan);
+      scan.add(sample().positions, sample().distances);
+    } else {
+      scan.start(sample().positions, sample().distances);
+      for_each([&scan](const Vector& position, double distance, std::size_t) { scan.add(position, distance); });
+    }
+    return scan.scale();
+  }
+
+private:
+  // from so many points on, looking at all of them is faster than a tree of all
+  static constexpr std::size_t least_to_scan = 65536;
+
+  void start_with_few(Neighbor_scan& scan) const
+  {
+    Position_sample few(sample().size() / 8);
+    sample().for_each([&few](const Vector& p, double distance, std::size_t index) { few.add(p, distance, index); });
+    few.thin_out();
+    scan.start(few.values().positions, few.values().distances);
+  }
+
+  static bool is_finite(const Sample& s)
+  {
+    return std::isfinite(s.x) && std::isfinite(s.y) && std::isfinite(s.z) && std::isfinite(s.distance);
+  }
+
+  std::string reason() const
+  {
+    const std::string text = m_source.error_message();
+    return text.empty() ? "the cloud cannot be read" : text;
+  }
+
+  void survey(const Sample& s)
+  {
+    const std::size_t index = m_number_of_points++;
+    const bool has_numbers = is_finite(s);
+    if (!has_numbers || !(s.distance >= 0.)) {
+      if (m_not_finite + m_negative == 0)
+        m_first_invalid = index;
+      ++(has_numbers ? m_negative : m_not_finite);
+      return;
+    }
+    if (m_sample.is_full())
+      start_histogram();
+    m_sample.add(Vector(s.x, s.y, s.z), s.distance, index);
+    if (m_histogram)
+      m_histogram->add(s.distance);
+    m_smallest = (std::min)(m_smallest, s.distance);
+    if (s.distance > m_largest) {
+      m_largest = s.distance;
+      m_number_of_largest = 0;
+    }
+    m_number_of_largest += s.distance == m_largest;
+  }
+
+  // from now on the points are too many to be in memory
+  void start_histogram()
+  {
+    m_histogram = std::make_unique<Distance_histogram>();
+    for (double distance : m_sample.values().distances)
+      m_histogram->add(distance);
+  }
+
+  // The points at which the density is measured, as indices of `values`: the sample if it is the whole cloud, else `others`,
+  // which is filled. They are evenly spread over the ranks of the distances: the same points whatever the order of the
+  // cloud. Those at the largest value are left out, since a field is truncated there.
+  std::vector<std::size_t> density_queries(const Cloud_values& values, Cloud_values& others) const
+  {
+    static constexpr std::size_t least = 64;
+    const std::size_t count = number_of_valid() - m_number_of_largest;
+    if (count < least) {   // the field is hardly known anywhere
+      if (!is_in_memory())
+        others = sample();
+      return spread_positions(values);
+    }
+    std::vector<std::size_t> ranks = spread_indices(count);
+    if (!is_in_memory())
+      read_candidates(ranks, others);
+    const Density_candidates candidates(values, m_largest);
+    std::vector<std::size_t> queries, clear_queries;
+    for (std::size_t rank : ranks) {
+      if (rank >= candidates.size())
+        continue;
+      const std::size_t clear = candidates.nearest_clear_one(rank);
+      const bool is_clear = clear < candidates.size();
+      queries.push_back(candidates.index(is_clear ? clear : rank));
+      if (is_clear)
+        clear_queries.push_back(queries.back());
+    }
+    // a coarse field tells hardly any points apart
+    return clear_queries.size() < least ? queries : clear_queries;
+  }
+
+  // Those points whose distances are in the same bins of the histogram as the wanted ones. The ranks become ranks among
+  // them.
+  void read_candidates(std::vector<std::size_t>& ranks, Cloud_values& candidates) const
+  {
+    std::vector<bool> is_wanted(Distance_histogram::number_of_bins, false);
+    std::size_t next = 0;
+    std::uint64_t passed_over = 0;
+    m_histogram->for_each_bin([&](Distance_histogram::Bin bin, std::uint64_t smaller, std::uint64_t number) {
+      if (next == ranks.size() || ranks[next] >= smaller + number) {
+        passed_over += number;
+        return;
+      }
+      is_wanted[bin] = true;
+      for (; next < ranks.size() && ranks[next] < smaller + number; ++next)
+        ranks[next] -= static_cast<std::size_t>(passed_over);
+    });
+    for_each([&](const Vector& position, double distance, std::size_t index) {
+      if (is_wanted[Distance_histogram::bin(distance)] && distance < m_largest)
+        candidates.add(position, distance, index);
+    });
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_SURVEYED_CLOUD_H

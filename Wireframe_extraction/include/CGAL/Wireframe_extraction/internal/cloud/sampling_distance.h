@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_SAMPLING_DISTANCE_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_SAMPLING_DISTANCE_H
+
+#include <CGAL/Wireframe_extraction/internal/base/median.h>
+#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
+
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+constexpr std::size_t most_density_samples = 4096;
+
+// at most `most_density_samples` indices, evenly spread over [0, n)
+inline std::vector<std::size_t> spread_indices(std::size_t n)
+{
+  const std::size_t count = (std::min)(n, most_density_samples);
+  std::vector<std::size_t> indices(count);
+  for (std::size_t k = 0; k < count; ++k)
+    indices[k] = k * n / count;
+  return indices;
+}
+
+struct Cloud_scale
+{
+  double sampling_distance = 0.;
+  double slope = 0.;    // of the field between neighbors: about 1 if points and distances have the same unit
+};
+
+constexpr std::size_t density_neighbors = 16;
+
+// What was found around the queries. The sampling distance follows from the median, over the queries, of the area of the
+// disc to the k-th different neighbor, divided by what it holds. In a Poisson-disk cloud, the distance to the nearest
+// neighbor itself is the better measure.
+class Density_measures
+{
+  std::vector<double> m_areas, m_nearest, m_slopes;
+
+public:
+  // the squared distances of the first and of the last of some neighbors
+  void add(double first, double last, std::size_t neighbors, double slope)
+  {
+    // a random cloud holds k - 1/3 points in the median of these discs, a regular one about k + 1/2
+    m_areas.push_back(CGAL_PI * last / (double(neighbors) + 0.1));
+    m_nearest.push_back(std::sqrt(first));
+    m_slopes.push_back(slope);
+  }
+
+  Cloud_scale scale() const
+  {
+    Cloud_scale scale;
+    const double from_density = std::sqrt(0.82 * median(m_areas)), from_nearest = median(m_nearest);
+    if (!(from_density > 0.))
+      return scale;
+    // their ratio is 0.55 where the points are random, above 0.9 where they keep their distance
+    const double regularity = (std::min)(1., (std::max)(0., (from_nearest / from_density - 0.85) / 0.05));
+    scale.sampling_distance = from_density + regularity * (from_nearest - from_density);
+    scale.slope = median(m_slopes);
+    return scale;
+  }
+};
+
+inline Cloud_scale cloud_scale(const std::vector<Vector>& positions, const std::vector<double>& distances,
+                               const std::vector<std::size_t>& queries)
+{
+  typedef CGAL::Search_traits<double, Vector, const double*, Construct_vector_coordinates,
+                              CGAL::Dimension_tag<3> > Base_traits;
+  typedef CGAL::Search_traits_adapter<std::size_t, Position_map, Base_traits> Traits;
+  typedef CGAL::Orthogonal_k_neighbor_search<Traits> Search;
+  typedef typename Search::Tree Tree;
+  if (positions.size() < 2)
+    return Cloud_scale();
+  const Position_map map{positions.data()};
+  const std::vector<std::size_t> unique = different_positions(positions);
+  if (unique.size() < 2)
+    return Cloud_scale();
+  Tree tree(unique.begin(), unique.end(), typename Tree::Splitter(), Traits(map));
+  tree.build();
+  const typename Search::Distance metric(map);
+  Density_measures measures;
+  const unsigned int wanted_or_all = static_cast<unsigned int>((std::min)(density_neighbors + 1, unique.size()));
+  for (std::size_t q : queries) {
+    const Search search(tree, positions[q], wanted_or_all, 0., true, metric);
+    std::size_t neighbors = 0;
+    double first = 0., last = 0., slope = 0.;
+    for (const auto& neighbor : search) {
+      if (!(neighbor.second > 0.))
+        continue;   // the query itself
+      last = neighbor.second;
+      if (neighbors++ == 0)
+        first = last;
+      if (!distances.empty())
+        slope = (std::max)(slope, std::abs(distances[q] - distances[neighbor.first]) / std::sqrt(last));
+    }
+    if (neighbors > 0)
+      measures.add(first, last, neighbors, slope);
+  }
+  return measures.scale();
+}
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_SAMPLING_DISTANCE_H

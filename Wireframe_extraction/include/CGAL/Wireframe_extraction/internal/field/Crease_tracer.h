@@ -1,0 +1,240 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CREASE_TRACER_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CREASE_TRACER_H
+
+#include <CGAL/Wireframe_extraction/internal/field/Crease_fit.h>
+#include <CGAL/Wireframe_extraction/internal/network/Curve_tracer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// Creases along a curve, one after the other; their tangents point forward.
+struct Crease_path
+{
+  std::vector<Crease> creases;
+  std::vector<Local_curve> fronts;      // where it was asked whether the curve is traced already
+  bool is_closed = false;
+};
+
+// The curves along creases that were kept: no later one is traced along them.
+class Traced_creases
+{
+  Segment_grid m_segments;
+  std::size_t m_size = 0;
+
+public:
+  void add(const std::vector<Vector>& polyline) { m_segments.add(m_size++, polyline); }
+
+  // whether one of them runs along a front
+  bool hold(const Local_curve& front, double reach) const { return m_size > 0 && runs_along(m_segments, front, reach); }
+};
+
+// Follows creases of the surface, from one that the field asked for, step by step as far as the surface is folded.
+class Crease_tracer
+{
+  const Field_band& m_band;
+  Crease_fit_options m_options;
+  double m_field_noise;
+  const Traced_creases& m_traced;
+  Crease_fit m_fit;
+  std::vector<std::size_t> m_ball;
+
+  static constexpr double step = 0.5;
+  static constexpr double longest_miss = 1.6;     // without a crease, then the curve ends
+  static constexpr double longest_gap = 40.;      // on a crease which the field does not see
+  static constexpr std::size_t trail = 8;         // steps of the path that are no news to the front
+
+public:
+  // `options.field_noise` is the noise of the field, which only decides where the field agrees
+  Crease_tracer(const Field_band& band, const Crease_fit_options& options, const Traced_creases& traced)
+    : m_band(band), m_options(options), m_field_noise(options.field_noise), m_traced(traced), m_fit(band)
+  {
+    m_options.field_noise = 100.;
+  }
+
+  // its position is known well enough, and the surface is folded there whatever the field says
+  bool may_start(const Crease& crease) const
+  {
+    return crease.deviation < (std::max)(0.03, 0.8 * m_field_noise)
+      && crease.is_sharp();
+  }
+
+  // less is asked of what a crease leads to
+  bool goes_on(const Crease& crease) const
+  {
+    return crease.deviation < (std::max)(0.05, 1.3 * m_field_noise)
+      && crease.fold > (std::max)(0.3, 2.5 * crease.fold_deviation);
+  }
+
+  bool is_traced(const Local_curve& front) const { return m_traced.hold(front, reach()); }
+
+  // whether a path would be another if some more curves had been kept before
+  bool depends_on(const Traced_creases& more, const Crease_path& path) const
+  {
+    return std::any_of(path.fronts.begin(), path.fronts.end(),
+                       [&](const Local_curve& front) { return more.hold(front, reach()); });
+  }
+
+  Crease_path trace(const Crease& seed)
+  {
+    Crease_path path;
+    std::vector<Crease> forward, backward;
+    Segment_grid own;
+    path.is_closed = follow(seed, own, forward, path.fronts);
+    if (!path.is_closed) {
+      Crease reversed = seed;
+      reversed.curve.tangent = -seed.curve.tangent;
+      for (std::size_t k = trail; k < forward.size(); ++k)
+        own.add(0, {forward[k - 1].curve.point, forward[k].curve.point});
+      follow(reversed, own, backward, path.fronts);
+    }
+    for (auto it = backward.rbegin(); it != backward.rend(); ++it) {
+      path.creases.push_back(*it);
+      path.creases.back().curve.tangent = -it->curve.tangent;
+    }
+    path.creases.push_back(seed);
+    path.creases.insert(path.creases.end(), forward.begin(), forward.end());
+    return path;
+  }
+
+  Traced_curve curve_along(const Crease_path& path) const
+  {
+    Traced_curve curve;
+    curve.is_closed = path.is_closed;
+    for (const Crease& crease : path.creases)
+      curve.points.push_back(crease.curve.point);
+    curve.tips[0] = path.creases.front().curve;
+    curve.tips[0].tangent = -curve.tips[0].tangent;
+    curve.tips[1] = path.creases.back().curve;
+    if (path.is_closed)
+      curve.points.push_back(curve.points.front());
+    curve.residuals.assign(curve.points.size(), m_options.surface_noise);
+    return curve;
+  }
+
+  // share of the points along a curve where the field agrees with it
+  double share_of_support(const std::vector<Vector>& points)
+  {
+    std::size_t supported = 0;
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+      Local_curve curve;
+      curve.point = points[k];
+      const Vector direction = points[k + 1] - points[k];
+      if (direction.norm() > 0.)
+        curve.tangent = direction.normalized();
+      supported += is_supported(curve);
+    }
+    return points.size() < 2 ? 0. : double(supported) / double(points.size() - 1);
+  }
+
+private:
+  // what runs closer to a curve is the same curve
+  double reach() const { return 0.4 + m_options.surface_noise; }
+
+  // whether it came back to where it began
+  bool follow(const Crease& start, Segment_grid& own, std::vector<Crease>& path, std::vector<Local_curve>& fronts)
+  {
+    Crease front = start;       // the last one that is sure
+    Local_curve predicted = start.curve;
+    double miss = 0., gap = 0., length = 0.;
+    std::size_t supported = 0, covered = 0;
+    const std::size_t most = 10 + 4 * m_band.size();
+    while (path.size() < most) {
+      const Vector last = predicted.point;
+      const Local_curve ahead = predicted.ahead(step);
+      Crease next;
+      const bool is_sure = fit_ahead(ahead, front, next);
+      predicted = is_sure ? next.curve : ahead;
+      length += (predicted.point - last).norm();
+      fronts.push_back(predicted);
+      if (is_traced(predicted) || runs_along(own, predicted, reach())) {
+        if (++covered == 3) {
+          path.resize(path.size() - (std::min)(path.size(), std::size_t(2)));
+          return false;
+        }
+      } else
+        covered = 0;
+      if (!is_sure) {
+        miss += step;
+        if (miss > longest_miss)
+          break;
+        continue;
+      }
+      miss = 0.;
+      path.push_back(next);
+      front = next;
+      if (path.size() > trail)
+        own.add(0, {path[path.size() - trail - 1].curve.point, path[path.size() - trail].curve.point});
+      if (is_supported(next.curve)) {
+        gap = 0.;
+        supported = path.size();
+      } else
+        gap += step;
+      if (gap > longest_gap) {
+        // the field denies a crease as long as that
+        path.resize(supported);
+        return false;
+      }
+      if (length > 5. && has_returned(start.curve, predicted, step, 0.3 + 2. * m_options.surface_noise))
+        return true;
+    }
+    return false;
+  }
+
+  bool fit_ahead(const Local_curve& ahead, const Crease& from, Crease& best)
+  {
+    best = m_fit.fit_with_best_radius(ahead, m_options, &from);
+    best.curve.move_along_to(ahead.point);
+    if (best.curve.bend.norm() > 0.6)
+      best.curve.bend *= 0.6 / best.curve.bend.norm();
+    best.is_traced = true;
+    return goes_on(best) && best.fold > 0.6 * from.fold
+      && (best.curve.point - ahead.point).norm() < 0.2 + 2. * (best.deviation + from.deviation)
+      && best.curve.tangent.dot(ahead.tangent) > 0.95
+      && best.curve.tangent.dot(from.curve.tangent) > 0.93 && is_held(best);
+  }
+
+  // whether the points around the crease's point lie on its strips
+  bool is_held(const Crease& crease)
+  {
+    m_band.search.query(crease.curve.point, 1.3, m_ball);
+    std::size_t held = 0;
+    for (std::size_t i : m_ball)
+      held += crease.holds(m_band.points[i], 0.1 + 2.5 * m_options.surface_noise);
+    return held > 0 && held >= 0.7 * m_ball.size();
+  }
+
+  // whether the field agrees, near the curve's point
+  bool is_supported(const Local_curve& curve)
+  {
+    m_band.search.query(curve.point, 1.8, m_ball);
+    double agreeing = 0., opposing = 0.;
+    for (std::size_t i : m_ball) {
+      const double distance = curve.distance(m_band.points[i]);
+      const bool agrees = std::abs(m_band.distances[i] - distance) < Tracing_options::tolerance(m_field_noise);
+      (agrees ? agreeing : opposing) += 1. / (0.5 + distance);
+    }
+    return agreeing > opposing;
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CREASE_TRACER_H

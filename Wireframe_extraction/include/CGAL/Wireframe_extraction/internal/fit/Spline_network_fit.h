@@ -1,0 +1,531 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_SPLINE_NETWORK_FIT_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_SPLINE_NETWORK_FIT_H
+
+#include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
+#include <CGAL/Wireframe_extraction/internal/base/median.h>
+#include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
+#include <CGAL/Wireframe_extraction/internal/field/polyline_feet.h>
+#include <CGAL/Wireframe_extraction/internal/fit/Cubic_spline.h>
+#include <CGAL/Wireframe_extraction/internal/fit/ceres_support.h>
+#include <CGAL/Wireframe_extraction/internal/fit/spline_residuals.h>
+#include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// A path of the topological graph that becomes a spline.
+struct Fitted_curve
+{
+  std::vector<Vector> path;                  // closed: the first point again at the end
+  std::array<std::size_t, 2> vertices;       // of the network, or `no_vertex` on a closed curve without
+  Cubic_spline spline;
+  double root_mean_square = 0., maximum_deviation = 0.;
+  std::size_t support = 0;
+
+  static constexpr std::size_t no_vertex = static_cast<std::size_t>(-1);
+  bool is_closed_without_vertex() const { return vertices[0] == no_vertex; }
+  bool is_loop() const { return !is_closed_without_vertex() && vertices[0] == vertices[1]; }
+  std::size_t least_spans() const { return is_closed_without_vertex() ? 4 : is_loop() ? 3 : 1; }
+};
+
+// Fits the splines of all curves at once; the curves that meet in a vertex share it.
+class Spline_network_fit
+{
+  struct Support { std::size_t point, curve; double parameter; };
+
+  class Stop_on_cancel : public ceres::IterationCallback
+  {
+    const std::function<bool(double)>& m_proceed;
+    double m_share;
+
+  public:
+    Stop_on_cancel(const std::function<bool(double)>& proceed, double share) : m_proceed(proceed), m_share(share) {}
+    ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override
+    {
+      if (m_proceed(m_share))
+        return ceres::SOLVER_CONTINUE;
+      return ceres::SOLVER_ABORT;
+    }
+  };
+
+  const Field_band& m_band;
+  const Extraction_options& m_options;
+  double m_noise;
+  std::vector<Vector> m_vertices, m_anchors;
+  std::vector<std::size_t> m_degrees;
+  std::vector<Fitted_curve> m_curves;
+  std::vector<Support> m_support;
+
+public:
+  Spline_network_fit(const Field_band& band, double noise, const Extraction_options& options,
+                     std::vector<Vector> vertices, std::vector<Fitted_curve> curves)
+    : m_band(band), m_options(options), m_noise(noise), m_vertices(std::move(vertices)), m_anchors(m_vertices),
+      m_degrees(m_vertices.size(), 0), m_curves(std::move(curves))
+  {
+    for (const Fitted_curve& curve : m_curves)
+      if (!curve.is_closed_without_vertex())
+        for (std::size_t v : curve.vertices)
+          ++m_degrees[v];
+  }
+
+  const std::vector<Vector>& vertices() const { return m_vertices; }
+  const std::vector<Fitted_curve>& curves() const { return m_curves; }
+
+  // returns whether it was not cancelled
+  bool run(const std::function<bool(double)>& proceed)
+  {
+    for (Fitted_curve& curve : m_curves)
+      initialize(curve);
+    const int rounds = (std::max)(1, m_options.number_of_rounds);
+    bool is_complete = true;
+    for (int round = 0; round < rounds && is_complete; ++round) {
+      find_support();
+      if (round > 0 && m_options.adapt_knots)
+        add_knots();
+      const double share = double(round) / rounds;
+      // the loss narrows while the curves approach
+      const double scale = (0.05 + 1.5 * m_noise) * (round + 1 < rounds ? 2. : 1.);
+      is_complete = solve(scale, proceed, share);
+    }
+    find_support();
+    measure();
+    return is_complete;
+  }
+
+private:
+  // positions along the path at steps of half a sampling distance, or finer where it is short
+  static void resample(const std::vector<Vector>& path, const std::vector<double>& s,
+                       std::vector<double>& parameters, std::vector<Vector>& positions)
+  {
+    const std::size_t count = (std::max)(std::size_t(16), static_cast<std::size_t>(std::ceil(2. * s.back())));
+    Polyline_walk walk(path, s);
+    for (std::size_t j = 0; j <= count; ++j) {
+      parameters.push_back(s.back() * double(j) / double(count));
+      positions.push_back(walk.advance_to(parameters.back()));
+    }
+  }
+
+  static std::vector<double> bisect(const std::vector<double>& breaks, const std::vector<char>& is_bad)
+  {
+    std::vector<double> finer{breaks.front()};
+    for (std::size_t k = 1; k < breaks.size(); ++k) {
+      if (is_bad[k - 1])
+        finer.push_back(0.5 * (breaks[k - 1] + breaks[k]));
+      finer.push_back(breaks[k]);
+    }
+    return finer;
+  }
+
+  static std::vector<double> uniform_breaks(double length, std::size_t spans)
+  {
+    std::vector<double> breaks;
+    for (std::size_t k = 0; k <= spans; ++k)
+      breaks.push_back(length * double(k) / double(spans));
+    return breaks;
+  }
+
+  // a spline through the path, with knots where the path asks for them
+  void initialize(Fitted_curve& curve) const
+  {
+    // they may become breakpoints, which must increase
+    const std::vector<double> s = arc_lengths(curve.path, 1e-9);
+    std::vector<double> parameters;
+    std::vector<Vector> positions;
+    resample(curve.path, s, parameters, positions);
+    const bool is_periodic = curve.is_closed_without_vertex();
+    std::vector<double> breaks = m_options.adapt_knots || s.size() <= curve.least_spans()
+      ? uniform_breaks(s.back(), curve.least_spans()) : s;
+    const double tolerance = 0.1 + 2. * m_noise;
+    while (true) {
+      curve.spline = Cubic_spline(breaks, is_periodic);
+      curve.spline.interpolate(parameters, positions);
+      if (!m_options.adapt_knots)
+        return;
+      std::vector<double> worst(breaks.size() - 1, 0.);
+      for (std::size_t i = 0; i < parameters.size(); ++i) {
+        double& w = worst[curve.spline.span(parameters[i])];
+        w = (std::max)(w, (curve.spline.at(parameters[i]) - positions[i]).norm());
+      }
+      std::vector<char> is_bad(worst.size(), 0);
+      for (std::size_t k = 0; k < worst.size(); ++k)
+        is_bad[k] = worst[k] > tolerance && breaks[k + 1] - breaks[k] > 2.;
+      if (std::find(is_bad.begin(), is_bad.end(), 1) == is_bad.end())
+        return;
+      breaks = bisect(breaks, is_bad);
+    }
+  }
+
+  // the points that lie near the curves, each with the nearest curve and its foot there
+  void find_support()
+  {
+    std::vector<std::vector<Vector> > polylines(m_curves.size());
+    std::vector<std::vector<double> > parameters(m_curves.size());
+    for (std::size_t c = 0; c < m_curves.size(); ++c) {
+      const Cubic_spline& spline = m_curves[c].spline;
+      const double length = spline.back() - spline.front();
+      const std::size_t count = (std::max)(std::size_t(8), static_cast<std::size_t>(2. * length));
+      for (std::size_t k = 0; k <= count; ++k) {
+        parameters[c].push_back(spline.front() + length * double(k) / double(count));
+        polylines[c].push_back(spline.at(parameters[c].back()));
+      }
+    }
+    const std::vector<Polyline_foot> feet
+      = nearest_feet(m_band, pointers_to(polylines), m_options.support_distance + 1.);
+    m_support.clear();
+    for (std::size_t i = 0; i < m_band.size(); ++i)
+      if (feet[i].is_valid())
+        m_support.push_back({i, feet[i].curve, 0.});
+    for_each_piece(m_support.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        Support& s = m_support[k];
+        const Polyline_foot& foot = feet[s.point];
+        s.parameter = m_curves[s.curve].spline.foot(m_band.points[s.point], foot.interpolate(parameters[s.curve]));
+      }
+    });
+  }
+
+  double residual(const Support& s) const
+  {
+    return m_band.distances[s.point] - (m_band.points[s.point] - m_curves[s.curve].spline.at(s.parameter)).norm();
+  }
+
+  double cutoff() const { return residual_cutoff(m_noise); }
+
+  // bisects spans whose residuals are clearly above those of the others
+  void add_knots()
+  {
+    std::vector<std::vector<double> > squares(m_curves.size());
+    std::vector<std::vector<std::size_t> > counts(m_curves.size());
+    for (std::size_t c = 0; c < m_curves.size(); ++c) {
+      squares[c].assign(m_curves[c].spline.breaks().size() - 1, 0.);
+      counts[c].assign(squares[c].size(), 0);
+    }
+    for (const Support& s : m_support) {
+      const double e = residual(s);
+      if (std::abs(e) > cutoff() || m_band.distances[s.point] > 2.)
+        continue;
+      const std::size_t k = m_curves[s.curve].spline.span(s.parameter);
+      squares[s.curve][k] += e * e;
+      ++counts[s.curve][k];
+    }
+    std::vector<double> levels;
+    for (std::size_t c = 0; c < m_curves.size(); ++c)
+      for (std::size_t k = 0; k < squares[c].size(); ++k)
+        if (counts[c][k] >= 8)
+          levels.push_back(std::sqrt(squares[c][k] / double(counts[c][k])));
+    const double limit = 0.02 + 1.25 * (std::min)(median(levels), 1.5 * m_noise + 0.02);
+    for (std::size_t c = 0; c < m_curves.size(); ++c) {
+      const Cubic_spline& spline = m_curves[c].spline;
+      const std::vector<double>& breaks = spline.breaks();
+      std::vector<char> is_bad(squares[c].size(), 0);
+      for (std::size_t k = 0; k < is_bad.size(); ++k)
+        is_bad[k] = counts[c][k] >= 12 && std::sqrt(squares[c][k] / double(counts[c][k])) > limit
+          && breaks[k + 1] - breaks[k] > 3.;
+      if (std::find(is_bad.begin(), is_bad.end(), 1) != is_bad.end())
+        refine(m_curves[c], bisect(breaks, is_bad));
+    }
+  }
+
+  // the same curve over more breakpoints
+  static void refine(Fitted_curve& curve, const std::vector<double>& breaks)
+  {
+    std::vector<double> parameters;
+    std::vector<Vector> positions;
+    for (std::size_t k = 1; k < breaks.size(); ++k)
+      for (int j = 0; j < 6; ++j) {
+        parameters.push_back(breaks[k - 1] + (breaks[k] - breaks[k - 1]) * j / 6.);
+        positions.push_back(curve.spline.at(parameters.back()));
+      }
+    parameters.push_back(breaks.back());
+    positions.push_back(curve.spline.at(breaks.back()));
+    Cubic_spline finer(breaks, curve.spline.is_periodic());
+    finer.interpolate(parameters, positions);
+    curve.spline = finer;
+  }
+
+  // the ends of a clamped spline are vertices, the other control points its own
+  double* control(Fitted_curve& curve, std::size_t i)
+  {
+    if (!curve.is_closed_without_vertex()) {
+      if (i == 0)
+        return m_vertices[curve.vertices[0]].data();
+      if (i + 1 == curve.spline.points().size())
+        return m_vertices[curve.vertices[1]].data();
+    }
+    return curve.spline.points()[i].data();
+  }
+
+  std::array<double*, 4> controls(Fitted_curve& curve, const Cubic_spline::Basis& basis)
+  {
+    return {{control(curve, basis.controls[0]), control(curve, basis.controls[1]), control(curve, basis.controls[2]),
+             control(curve, basis.controls[3])}};
+  }
+
+  // Curves that share no vertex do not know of each other: their problems are solved apart, at the same time.
+  bool solve(double scale, const std::function<bool(double)>& proceed, double share)
+  {
+    const std::vector<std::vector<std::size_t> > parts = connected_curves();
+    std::vector<std::vector<std::size_t> > supports(parts.size());
+    std::vector<std::size_t> part_of_curve(m_curves.size());
+    for (std::size_t part = 0; part < parts.size(); ++part)
+      for (std::size_t c : parts[part])
+        part_of_curve[c] = part;
+    for (std::size_t i = 0; i < m_support.size(); ++i)
+      supports[part_of_curve[m_support[i].curve]].push_back(i);
+    std::mutex mutex;
+    bool goes_on = true;
+    const std::function<bool(double)> ask = [&](double done) {
+      const std::lock_guard<std::mutex> lock(mutex);
+      return goes_on = goes_on && proceed(done);
+    };
+    for_each_piece(parts.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t part = begin; part < end; ++part)
+        solve(parts[part], supports[part], scale, ask, share);
+    }, 1);
+    return goes_on;
+  }
+
+  // the parts of the network, each by its curves
+  std::vector<std::vector<std::size_t> > connected_curves() const
+  {
+    std::vector<std::size_t> rank(m_vertices.size()), parent(m_vertices.size());
+    boost::disjoint_sets<std::size_t*, std::size_t*> sets(rank.data(), parent.data());
+    for (std::size_t v = 0; v < m_vertices.size(); ++v)
+      sets.make_set(v);
+    for (const Fitted_curve& curve : m_curves)
+      if (!curve.is_closed_without_vertex())
+        sets.union_set(curve.vertices[0], curve.vertices[1]);
+    std::vector<std::vector<std::size_t> > parts;
+    std::vector<std::size_t> part_of_set(m_vertices.size(), Fitted_curve::no_vertex);
+    for (std::size_t c = 0; c < m_curves.size(); ++c) {
+      std::size_t part = parts.size();
+      if (!m_curves[c].is_closed_without_vertex()) {
+        std::size_t& known = part_of_set[sets.find_set(m_curves[c].vertices[0])];
+        if (known == Fitted_curve::no_vertex)
+          known = part;
+        part = known;
+      }
+      if (part == parts.size())
+        parts.emplace_back();
+      parts[part].push_back(c);
+    }
+    return parts;
+  }
+
+  // the vertices of some curves, each once
+  std::vector<std::size_t> vertices_of(const std::vector<std::size_t>& curves) const
+  {
+    std::vector<std::size_t> result;
+    for (std::size_t c : curves)
+      if (!m_curves[c].is_closed_without_vertex())
+        result.insert(result.end(), m_curves[c].vertices.begin(), m_curves[c].vertices.end());
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  // the problem of some curves that share vertices with no others
+  void solve(const std::vector<std::size_t>& curves, const std::vector<std::size_t>& support, double scale,
+             const std::function<bool(double)>& proceed, double share)
+  {
+    Span_preparer spans;
+    ceres::Problem::Options problem_options;
+    problem_options.evaluation_callback = &spans;
+    ceres::Problem problem(problem_options);
+    add_distances(problem, support, m_options.use_robust_loss ? scale : 0., spans);
+    for (std::size_t c : curves)
+      add_roughness(problem, m_curves[c]);
+    const std::vector<std::size_t> vertices = vertices_of(curves);
+    for (std::size_t v : vertices) {
+      problem.AddResidualBlock(new Anchor_residual(m_anchors[v], m_degrees[v] == 1 ? 0.5 : 0.02), nullptr,
+                               m_vertices[v].data());
+      if (!m_options.move_corners)
+        problem.SetParameterBlockConstant(m_vertices[v].data());
+    }
+    if (problem.NumResidualBlocks() == 0)
+      return;
+    std::vector<Vector> kept_vertices;
+    std::vector<std::vector<Vector> > kept_points;
+    for (std::size_t v : vertices)
+      kept_vertices.push_back(m_vertices[v]);
+    for (std::size_t c : curves)
+      kept_points.push_back(m_curves[c].spline.points());
+    Stop_on_cancel stop(proceed, share);
+    ceres::Solver::Options options = solver_options(12, 1e-5);
+    options.callbacks.push_back(&stop);
+    ceres::Solver::Summary summary;
+    ceres::Solve(options, &problem, &summary);
+    // cancelling leaves the last state as well
+    const bool is_usable = summary.IsSolutionUsable();
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+      if (!is_usable || is_stray(m_vertices[vertices[k]], kept_vertices[k]))
+        m_vertices[vertices[k]] = kept_vertices[k];
+    for (std::size_t k = 0; k < curves.size(); ++k)
+      take_back_strays(m_curves[curves[k]], kept_points[k], is_usable);
+  }
+
+  // one residual block for each span
+  void add_distances(ceres::Problem& problem, const std::vector<std::size_t>& support, double scale,
+                     Span_preparer& spans)
+  {
+    std::map<std::pair<std::size_t, std::size_t>, Span_residual*> residuals;     // by curve and span
+    for (std::size_t i : support) {
+      const Support& s = m_support[i];
+      const Cubic_spline& spline = m_curves[s.curve].spline;
+      Span_residual*& residual = residuals[{s.curve, spline.span(s.parameter)}];
+      if (!residual)
+        residual = new Span_residual(scale);
+      const double d = m_band.distances[s.point];
+      const double worth = (0.03 + m_noise) / (0.03 + m_band.deviation(s.point, m_noise));
+      const double weight = m_options.use_robust_loss ? worth / std::sqrt(1. + 0.5 * d * d) : 1.;
+      residual->add(m_band.points[s.point], d, weight, spline.basis(s.parameter).values.data());
+    }
+    for (const auto& entry : residuals) {
+      Fitted_curve& curve = m_curves[entry.first.first];
+      const std::vector<double>& breaks = curve.spline.breaks();
+      const std::size_t span = entry.first.second;
+      const Cubic_spline::Basis basis = curve.spline.basis(0.5 * (breaks[span] + breaks[span + 1]));
+      entry.second->set_controls(controls(curve, basis));
+      spans.add(entry.second);
+      add_residual(problem, entry.second, curve, basis);
+    }
+  }
+
+  void add_residual(ceres::Problem& problem, ceres::CostFunction* residual, Fitted_curve& curve,
+                    const Cubic_spline::Basis& basis)
+  {
+    const std::array<double*, 4> blocks = controls(curve, basis);
+    problem.AddResidualBlock(residual, nullptr, blocks.data(), static_cast<int>(blocks.size()));
+  }
+
+  // whether it left its place by more than any point of a curve's support is away from it
+  bool is_stray(const Vector& now, const Vector& before) const
+  {
+    return !((now - before).norm() < 2. * (m_options.support_distance + 1.));
+  }
+
+  // Where a robust loss has lost all points, nothing holds a curve any more: it goes back. The ends are at the
+  // vertices.
+  void take_back_strays(Fitted_curve& curve, const std::vector<Vector>& before, bool is_usable) const
+  {
+    std::vector<Vector>& points = curve.spline.points();
+    bool is_kept = is_usable;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      is_kept = is_kept && !is_stray(points[i], before[i]);
+    if (!is_kept)
+      points = before;
+    if (!curve.is_closed_without_vertex()) {
+      points.front() = m_vertices[curve.vertices[0]];
+      points.back() = m_vertices[curve.vertices[1]];
+    }
+  }
+
+  // A prior for curves whose curvature changes slowly, the stronger the more the field errs. On an arc of curvature k
+  // the third derivative is -k^2 times the first one; what differs from that is rough.
+  void add_roughness(ceres::Problem& problem, Fitted_curve& curve)
+  {
+    const double roughness = m_options.adapt_knots ? 0.05 + 30. * m_noise : 0.05;
+    const std::vector<double>& breaks = curve.spline.breaks();
+    const std::vector<Vector> curvatures = span_curvatures(curve.spline);
+    for (std::size_t k = 1; k < breaks.size(); ++k) {
+      const double width = breaks[k] - breaks[k - 1];
+      const Vector curvature = typical_curvature(curve.spline, curvatures, k - 1);
+      const Cubic_spline::Basis first = curve.spline.basis(breaks[k - 1] + 0.25 * width),
+                                second = curve.spline.basis(breaks[k] - 0.25 * width),
+                                middle = curve.spline.basis(0.5 * (breaks[k] + breaks[k - 1]));
+      // the derivatives of short spans grow beyond bounds
+      const double weight = roughness * std::sqrt(width) * std::pow((std::min)(1., width), 2);
+      std::array<double, 4> factors;
+      for (int j = 0; j < 4; ++j)
+        factors[j] = weight
+          * ((second.values[8 + j] - first.values[8 + j]) / (0.5 * width)
+             + curvature.squaredNorm() * middle.values[4 + j]);
+      add_residual(problem, new Roughness_residual(factors), curve, first);
+    }
+  }
+
+  // curvature times binormal, in the middle of every span
+  static std::vector<Vector> span_curvatures(const Cubic_spline& spline)
+  {
+    std::vector<Vector> result;
+    for (std::size_t k = 1; k < spline.breaks().size(); ++k) {
+      const Cubic_spline::Basis middle = spline.basis(0.5 * (spline.breaks()[k - 1] + spline.breaks()[k]));
+      const Vector d1 = spline.combine(middle, 1), d2 = spline.combine(middle, 2);
+      result.push_back(d1.cross(d2) / (std::max)(0.1, std::pow(d1.norm(), 3)));
+    }
+    return result;
+  }
+
+  // the mean over some sampling distances: waves cancel, arcs add up
+  static Vector typical_curvature(const Cubic_spline& spline, const std::vector<Vector>& curvatures, std::size_t span)
+  {
+    static constexpr double reach = 6.;
+    const std::vector<double>& breaks = spline.breaks();
+    const std::size_t n = curvatures.size();
+    const double period = spline.is_periodic() ? spline.back() - spline.front() : 0.;
+    const auto middle = [&](std::size_t k) { return 0.5 * (breaks[k] + breaks[k + 1]); };
+    double total = breaks[span + 1] - breaks[span];
+    Vector sum = total * curvatures[span];
+    for (const bool is_forward : {false, true}) {
+      const std::size_t most = spline.is_periodic() ? (n - 1) / 2 : is_forward ? n - 1 - span : span;
+      for (std::size_t step = 1; step <= most; ++step) {
+        const std::size_t k = (is_forward ? span + step : span + n - step) % n;
+        double distance = is_forward ? middle(k) - middle(span) : middle(span) - middle(k);
+        if (distance < 0.)
+          distance += period;
+        if (distance > reach)
+          break;
+        sum += (breaks[k + 1] - breaks[k]) * curvatures[k];
+        total += breaks[k + 1] - breaks[k];
+      }
+    }
+    return sum / total;
+  }
+
+  void measure()
+  {
+    std::vector<double> squares(m_curves.size(), 0.);
+    for (const Support& s : m_support) {
+      const double e = std::abs(residual(s));
+      if (e > cutoff())
+        continue;
+      Fitted_curve& curve = m_curves[s.curve];
+      squares[s.curve] += e * e;
+      curve.maximum_deviation = (std::max)(curve.maximum_deviation, e);
+      ++curve.support;
+    }
+    for (std::size_t c = 0; c < m_curves.size(); ++c)
+      if (m_curves[c].support > 0)
+        m_curves[c].root_mean_square = std::sqrt(squares[c] / double(m_curves[c].support));
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_SPLINE_NETWORK_FIT_H

@@ -1,0 +1,309 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CURVE_TRACER_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CURVE_TRACER_H
+
+#include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
+#include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
+#include <CGAL/Wireframe_extraction/internal/field/Local_curve.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// A curve followed through the field, as a polyline. Where it is open, the tips tell how it goes on: a local curve
+// whose tangent points outward, at the last position that the field supports.
+struct Traced_curve
+{
+  std::vector<Vector> points;
+  bool is_closed = false;     // the last point is then the first one
+  Local_curve tips[2];        // at the first and at the last point
+  bool ends_in_void[2] = {false, false};  // no data beyond the tip, rather than data that speak against the curve
+  std::vector<double> residuals;          // of the local fits along the curve
+
+  // a low quantile, since other curves disturb the fits near the ends
+  double typical_residual() const
+  {
+    if (residuals.empty())
+      return 1.;
+    std::vector<double> sorted = residuals;
+    const std::size_t k = sorted.size() * 2 / 5;
+    std::nth_element(sorted.begin(), sorted.begin() + k, sorted.end());
+    return sorted[k];
+  }
+
+  double length() const { return polyline_length(points); }
+};
+
+struct Tracing_options
+{
+  double noise = 0.1;        // typical residual of the field near curves
+  double step = 0.5;
+  double radius = 4.;        // of the balls the local fits use
+  double maximum_gap = 3.;   // bridged without any evidence
+  double maximum_turn = 0.6; // per step, in radians
+
+  double tolerance() const { return tolerance(noise); }
+  static double tolerance(double deviation) { return (std::max)(0.2, 2.5 * deviation); }
+  double maximum_doubt() const { return 0.25 + 4. * noise; }
+  double fit_scale() const { return (std::max)(0.15, 2. * noise); }
+};
+
+// whether a curve in the grid, other than the ignored one, runs within `reach` of the front, in its direction
+inline bool runs_along(const Segment_grid& curves, const Local_curve& front, double reach,
+                       std::size_t ignored = Segment_grid::no_curve)
+{
+  return curves.nearest(front.point, reach, [&](const Segment_grid::Hit& hit) {
+    return hit.curve != ignored && std::abs(hit.direction.dot(front.tangent)) > 0.85;
+  }).is_valid();
+}
+
+// whether the next step of a front leads to where it started
+inline bool has_returned(const Local_curve& start, const Local_curve& front, double step, double tolerance)
+{
+  const Vector offset = start.point - front.point;
+  const double s = offset.dot(front.tangent);
+  return s > -0.1 && s < 1.2 * step && start.tangent.dot(front.tangent) > 0.8
+    && (offset - s * front.tangent).norm() < tolerance;
+}
+
+// What the field says of curves: which of the band's points agree with them.
+class Field_explanation
+{
+  const Field_band& m_band;
+  std::vector<double> m_distances;      // of each point of the band to the curves so far
+  mutable std::vector<std::size_t> m_ball;
+
+public:
+  explicit Field_explanation(const Field_band& band)
+    : m_band(band), m_distances(band.size(), (std::numeric_limits<double>::infinity)())
+  {}
+
+  void add(const std::vector<Vector>& polyline)
+  {
+    for (std::size_t k = 1; k < polyline.size(); ++k)
+      add(polyline[k - 1], polyline[k]);
+  }
+
+  void add(const Vector& a, const Vector& b)
+  {
+    const std::size_t pieces = 1 + static_cast<std::size_t>((b - a).norm() / 2.);
+    for (std::size_t k = 0; k < pieces; ++k) {
+      const Vector from = a + (b - a) * (double(k) / pieces), to = a + (b - a) * (double(k + 1) / pieces);
+      m_band.search.query(0.5 * (from + to), 3.5 + 0.5 * (to - from).norm(), m_ball);
+      for (std::size_t i : m_ball)
+        m_distances[i] = (std::min)(m_distances[i],
+                                    std::sqrt(squared_distance_to_segment(m_band.points[i], from, to)));
+    }
+  }
+
+  double distance(std::size_t i) const { return m_distances[i]; }
+  const std::vector<double>& distances() const { return m_distances; }
+
+  bool is_explained(std::size_t i, double noise) const
+  {
+    return m_band.distances[i] > m_distances[i] - Tracing_options::tolerance(m_band.deviation(i, noise));
+  }
+};
+
+// Follows a curve from a local fit in both directions, step by step, as long as the field agrees.
+class Curve_tracer
+{
+  const Field_band& m_band;
+  Tracing_options m_options;
+  Local_curve_fit m_fit;
+  const Field_explanation* m_explanation;   // by other curves
+  std::vector<std::size_t> m_ball;
+  Segment_grid m_traced;
+  std::size_t m_number_of_traced = 0;
+  std::size_t m_extended = Segment_grid::no_curve;   // the curve that is being extended
+
+  static constexpr std::size_t trail = 10;   // points of the path that are no news to the front
+
+  enum Evidence { SUPPORT, NOTHING, CONTRADICTION };
+
+public:
+  Curve_tracer(const Field_band& band, const Tracing_options& options, const Field_explanation* explanation = nullptr)
+    : m_band(band), m_options(options), m_fit(band), m_explanation(explanation)
+  {}
+
+  Traced_curve trace(const Local_curve& seed)
+  {
+    Traced_curve curve;
+    std::vector<Vector> forward;
+    Segment_grid own;    // what was traced already, but for the surroundings of the front
+    curve.is_closed = follow(seed, own, forward, curve.residuals, curve.tips[1], curve.ends_in_void[1]);
+    if (curve.is_closed) {
+      curve.points.push_back(seed.point);
+      curve.points.insert(curve.points.end(), forward.begin(), forward.end());
+      curve.points.push_back(seed.point);
+      return curve;
+    }
+    Local_curve reversed = seed;
+    reversed.tangent = -seed.tangent;
+    std::vector<Vector> backward;
+    for (std::size_t k = trail; k < forward.size(); ++k)
+      own.add(0, {forward[k - 1], forward[k]});
+    follow(reversed, own, backward, curve.residuals, curve.tips[0], curve.ends_in_void[0]);
+    curve.points.assign(backward.rbegin(), backward.rend());
+    curve.points.push_back(seed.point);
+    curve.points.insert(curve.points.end(), forward.begin(), forward.end());
+    return curve;
+  }
+
+  // Follows the field beyond the ends of an open curve that was kept as number `index`.
+  void extend(Traced_curve& curve, std::size_t index)
+  {
+    m_extended = index;
+    for (int e = 0; e < 2 && !curve.is_closed; ++e) {
+      std::vector<Vector> points = curve.points;
+      if (e == 0)
+        std::reverse(points.begin(), points.end());
+      Segment_grid own;
+      for (std::size_t k = 1; k + trail < points.size(); ++k)
+        own.add(0, {points[k - 1], points[k]});
+      std::vector<Vector> path;
+      Local_curve tip;
+      bool ends_in_void;
+      if (follow(curve.tips[e], own, path, curve.residuals, tip, ends_in_void) || path.empty())
+        continue;
+      points.insert(points.end(), path.begin(), path.end());
+      if (e == 0)
+        std::reverse(points.begin(), points.end());
+      curve.points = points;
+      curve.tips[e] = tip;
+      curve.ends_in_void[e] = ends_in_void;
+    }
+    m_extended = Segment_grid::no_curve;
+  }
+
+  // no later curve is traced along this one
+  void keep(const Traced_curve& curve) { m_traced.add(m_number_of_traced++, curve.points); }
+
+  // whether a kept curve runs along this one
+  bool is_traced(const Local_curve& front) const
+  {
+    return runs_along(m_traced, front, 0.6 + m_options.noise, m_extended);
+  }
+
+  // what the points around `front` say of the curve between its parameters -0.5 and 0.75
+  Evidence evidence(const Local_curve& front)
+  {
+    m_band.search.query(front.point, 1.8, m_ball);
+    double agreeing = 0., opposing = 0.;
+    for (std::size_t i : m_ball) {
+      const double s = front.parameter(m_band.points[i]);
+      if (s < -0.4 || s > 0.8)
+        continue;
+      const double distance = front.distance(m_band.points[i]);
+      if (distance > 1.6)
+        continue;
+      const double weight = 1. / (0.5 + distance);
+      const double tolerance = Tracing_options::tolerance(m_band.deviation(i, m_options.noise));
+      const double e = m_band.distances[i] - distance;
+      // a point that lies nearer to another curve says nothing about this one
+      if (e < 0. && m_explanation
+          && std::abs(m_band.distances[i] - m_explanation->distance(i)) < tolerance)
+        continue;
+      if (std::abs(e) < tolerance)
+        agreeing += weight;
+      else
+        opposing += weight;
+    }
+    // points that are no part of the band are far from every feature: their absence is no evidence
+    if (agreeing + opposing == 0.)
+      return NOTHING;
+    return agreeing >= opposing ? SUPPORT : CONTRADICTION;
+  }
+
+private:
+  // returns whether the curve came back to where it began; otherwise the tip is set
+  bool follow(const Local_curve& start, Segment_grid& own, std::vector<Vector>& path,
+              std::vector<double>& residuals, Local_curve& tip, bool& ends_in_void)
+  {
+    Local_curve front = start;
+    tip = front;
+    ends_in_void = false;
+    std::size_t supported = 0, covered = 0;
+    double length = 0., gap = 0., doubt = 0.;
+    Local_fit_options options;
+    options.radius = m_options.radius;
+    options.scale = m_options.fit_scale();
+    options.iterations = 3;
+    const std::size_t most = 10 + 4 * m_band.size();
+    while (path.size() < most) {
+      const Local_curve predicted = front.ahead(m_options.step);
+      Local_curve next = predicted;
+      const double residual = refine_at_front(next, predicted.point, options);
+      if (next.tangent.dot(front.tangent) < std::cos(m_options.maximum_turn)
+          || (next.point - predicted.point).norm() > 0.5 * m_options.step + m_options.tolerance())
+        next = predicted;
+      length += (next.point - front.point).norm();
+      front = next;
+      if (is_traced(front) || runs_along(own, front, 0.6 + m_options.noise)) {
+        if (++covered == 3) {
+          supported = (std::min)(supported, path.size() - (std::min)(path.size(), std::size_t(2)));
+          break;
+        }
+      } else
+        covered = 0;
+      const Evidence found = evidence(front);
+      if (found == CONTRADICTION) {
+        doubt += m_options.step;
+        if (doubt > m_options.maximum_doubt())
+          break;
+      }
+      path.push_back(front.point);
+      residuals.push_back(residual);
+      if (path.size() > trail)
+        own.add(0, {path[path.size() - trail - 1], path[path.size() - trail]});
+      if (found == SUPPORT) {
+        tip = front;
+        supported = path.size();
+        gap = doubt = 0.;
+      } else if (found == NOTHING) {
+        gap += m_options.step;
+        if (gap > m_options.maximum_gap) {
+          ends_in_void = true;
+          break;
+        }
+      }
+      if (length > 5. && has_returned(start, front, m_options.step, 0.25 + m_options.tolerance()))
+        return true;
+    }
+    path.resize(supported);
+    return false;
+  }
+
+  // the ball lies a little behind, where the curve is known to be
+  double refine_at_front(Local_curve& front, const Vector& position, const Local_fit_options& options)
+  {
+    const Vector back = -0.25 * front.tangent;
+    return m_fit.refine_with_best_radius(front, options, [&](Local_curve& curve, const Local_fit_options& scaled) {
+      m_fit.refine_from(curve, position + scaled.radius * back, scaled);
+      curve.move_along_to(position);
+    });
+  }
+
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CURVE_TRACER_H

@@ -1,0 +1,208 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SURFACE_EVIDENCE_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SURFACE_EVIDENCE_H
+
+#include <CGAL/Wireframe_extraction/internal/base/median.h>
+#include <CGAL/Wireframe_extraction/internal/field/polyline_feet.h>
+
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// Tells whether the surface is folded along a curve. In windows along the curve, the points that are nearer to it than
+// to any other curve are heights over a plane: a smooth surface gives a paraboloid, a fold adds a multiple of the
+// distance to the curve. Where the field wants a curve but the surface is smooth beyond doubt, there is none.
+class Surface_evidence
+{
+  // of the heights by x across the curve and s along it: 1, x, s, |x|, x^2, x s
+  static constexpr int size = 6, slope = 3;
+  typedef Eigen::Matrix<double, size, 1> Row;
+  typedef Eigen::Matrix<double, size, size> Matrix;
+
+  struct Sample { double s; Vector offset; };      // from the middle of the window, from the curve
+
+  struct Window
+  {
+    std::vector<Sample> samples;
+    Vector direction = Vector::Zero();
+    Vector normal = Vector::Zero();
+    double slope = 0., deviation = 1., residual = 1.;
+    bool is_known = false;
+  };
+
+  const Field_band& m_surroundings;
+
+  static constexpr double reach = 3., window_length = 3.;
+  static constexpr std::size_t least_samples = 10;
+  // no noise of positions is larger; points of thin walls spread as much
+  static constexpr double most_residual = 0.45;
+
+public:
+  // tangent of half the angle by which the surface folds, and its standard deviation
+  struct Fold
+  {
+    double slope = 0., deviation = 0.;
+    bool is_known = false;      // else the surface is no graph over a plane there
+  };
+
+  // `surroundings` has points up to a distance of `reach` from all curves
+  explicit Surface_evidence(const Field_band& surroundings) : m_surroundings(surroundings) {}
+
+  // of the polylines that are not null
+  std::vector<Fold> folds(const std::vector<const std::vector<Vector>*>& polylines) const
+  {
+    std::vector<std::vector<Window> > windows = collect(polylines);
+    std::vector<double> residuals;
+    for (std::vector<Window>& curve : windows)
+      for (Window& window : curve)
+        if (fit(window, 0.))
+          residuals.push_back(window.residual);
+    std::vector<Fold> result(polylines.size());
+    if (residuals.empty())
+      return result;
+    const double noise = (std::max)(0.01, median(residuals));
+    for (std::size_t c = 0; c < windows.size(); ++c)
+      result[c] = combine(windows[c], noise);
+    return result;
+  }
+
+private:
+  std::vector<std::vector<Window> > collect(const std::vector<const std::vector<Vector>*>& polylines) const
+  {
+    std::vector<std::vector<double> > lengths(polylines.size());
+    std::vector<std::vector<Window> > windows(polylines.size());
+    for (std::size_t c = 0; c < polylines.size(); ++c) {
+      if (!polylines[c])
+        continue;
+      lengths[c] = arc_lengths(*polylines[c]);
+      windows[c].resize((std::max)(std::size_t(1), static_cast<std::size_t>(lengths[c].back() / window_length + 0.5)));
+    }
+    const std::vector<Polyline_foot> feet = nearest_feet(m_surroundings, polylines, reach);
+    for (std::size_t i = 0; i < feet.size(); ++i) {
+      if (!feet[i].is_valid())
+        continue;
+      const std::vector<Vector>& points = *polylines[feet[i].curve];
+      std::vector<Window>& curve = windows[feet[i].curve];
+      const Vector foot = feet[i].point(points), direction = points[feet[i].segment + 1] - points[feet[i].segment];
+      const double length = lengths[feet[i].curve].back(), s = feet[i].interpolate(lengths[feet[i].curve]);
+      if (is_at_end(s, length))
+        continue;
+      const double share = s / length * double(curve.size());
+      const std::size_t k = (std::min)(curve.size() - 1, static_cast<std::size_t>(share));
+      curve[k].samples.push_back({(share - double(k) - 0.5) * window_length, m_surroundings.points[i] - foot});
+      curve[k].direction += direction.normalized();
+    }
+    return windows;
+  }
+
+  // with `noise` of the surface, prior knowledge about curvatures counts
+  static bool fit(Window& window, double noise)
+  {
+    window.is_known = false;
+    if (window.samples.size() < least_samples || !(window.direction.norm() > 0.))
+      return false;
+    const Vector direction = window.direction.normalized();
+    Vector mean = Vector::Zero();
+    for (const Sample& sample : window.samples)
+      mean += sample.offset;
+    mean /= double(window.samples.size());
+    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    for (const Sample& sample : window.samples) {
+      Vector offset = sample.offset - mean;
+      offset -= offset.dot(direction) * direction;
+      moments += offset * offset.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments);
+    const Vector across = solver.eigenvectors().col(2);
+    window.normal = direction.cross(across).normalized();
+    Matrix normal_matrix = Matrix::Zero();
+    Row right = Row::Zero();
+    std::size_t left = 0;
+    for (const Sample& sample : window.samples) {
+      const Row row = row_of(sample, across);
+      const double height = sample.offset.dot(window.normal);
+      normal_matrix += row * row.transpose();
+      right += height * row;
+      left += row[1] < 0.;
+    }
+    if (4 * left < window.samples.size() || 4 * left > 3 * window.samples.size())
+      return false;
+    static constexpr double deviations[size] = {0., 0., 0., 0., 0.06, 0.06};
+    for (int k = 0; k < size; ++k)
+      normal_matrix(k, k) += 1e-6 + (deviations[k] > 0. ? noise * noise / (deviations[k] * deviations[k]) : 0.);
+    const Eigen::LDLT<Matrix> solved(normal_matrix);
+    const Row solution = solved.solve(right);
+    double squares = 0.;
+    for (const Sample& sample : window.samples) {
+      const double e = sample.offset.dot(window.normal) - row_of(sample, across).dot(solution);
+      squares += e * e;
+    }
+    window.residual = std::sqrt(squares / double(window.samples.size() - size));
+    window.slope = solution[slope];
+    window.deviation = (std::max)(noise, window.residual) * std::sqrt(solved.solve(Row::Unit(slope))[slope]);
+    window.is_known = true;
+    return true;
+  }
+
+  static Row row_of(const Sample& sample, const Vector& across)
+  {
+    const double x = sample.offset.dot(across);
+    Row row;
+    row << 1., x, sample.s, std::abs(x), x * x, x * sample.s;
+    return row;
+  }
+
+  static Fold combine(std::vector<Window>& windows, double noise)
+  {
+    Fold fold;
+    double sum = 0., sum_of_sizes = 0., sum_of_deviations = 0., total = 0.;
+    std::size_t known = 0;
+    Vector previous = Vector::Zero();
+    for (Window& window : windows) {
+      if (!fit(window, noise) || window.residual > (std::min)(2. * noise + 0.04, most_residual))
+        continue;
+      const double sign = window.normal.dot(previous) < 0. ? -1. : 1.;
+      previous = sign * window.normal;
+      const double weight = 1. / (window.deviation * window.deviation);
+      sum += weight * sign * window.slope;
+      sum_of_sizes += weight * std::abs(window.slope);
+      sum_of_deviations += weight * window.deviation;
+      total += weight;
+      ++known;
+    }
+    fold.is_known = known > 0 && 2 * known >= windows.size();
+    if (fold.is_known) {
+      // Where the surface is smooth, the slopes are errors, and their mean size is that of a normal distribution; a
+      // fold that is convex in some windows and concave in others shows in the sizes only.
+      const double beyond_errors = (sum_of_sizes - std::sqrt(2. / CGAL_PI) * sum_of_deviations) / total;
+      fold.slope = (std::max)(std::abs(sum / total), beyond_errors);
+      fold.deviation = std::sqrt(1. / total);
+    }
+    return fold;
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SURFACE_EVIDENCE_H

@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_TANGENCY_RESOLVER_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_TANGENCY_RESOLVER_H
+
+#include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
+#include <CGAL/Wireframe_extraction/internal/network/Network_editor.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// Curves that touch each other, such as a circle and the side of a square around it, cannot be told apart near the
+// point of contact. They lead through it all the same, and there is no vertex.
+class Tangency_resolver : private Network_editor
+{
+  static constexpr double tangential_turn = 0.5;
+  static constexpr double largest_turn = 2.5;       // of a curve where it touches another one
+
+public:
+  using Network_editor::Network_editor;
+
+  // A curve that touches another one was followed up to where the two are too close to be told apart, from both sides.
+  void bridge_tangencies()
+  {
+    Segment_grid grid;
+    for (std::size_t c = 0; c < m_network.curves.size(); ++c)
+      if (m_network.curves[c].is_alive)
+        grid.add(c, m_network.curves[c].points);
+    const double reach = 0.8 + 2. * m_options.noise;
+    std::vector<Candidate> candidates;
+    std::vector<Curve_end> ends;
+    for (const std::vector<Curve_end>& around : m_network.incidences())
+      if (around.size() == 1) {
+        const Local_curve& end = tip(around[0]);
+        const Segment_grid::Hit hit = grid.nearest(end.point, reach, [&](const Segment_grid::Hit& h) {
+          return h.curve != around[0].first && std::abs(h.direction.dot(end.tangent)) > std::cos(tangential_turn);
+        });
+        const bool is_touching = hit.is_valid() && is_inside(hit);
+        candidates.push_back({is_touching, is_touching ? hit.curve : Segment_grid::no_curve});
+        ends.push_back(around[0]);
+      } else if (around.size() == 3)
+        for (std::size_t k = 0; k < 3; ++k) {
+          const std::vector<Curve_end> rest{around[(k + 1) % 3], around[(k + 2) % 3]};
+          if (lead_on(rest, around[k]))
+            for (const Curve_end& end : rest) {
+              candidates.push_back({true, Segment_grid::no_curve});
+              ends.push_back(end);
+            }
+        }
+    bridge(ends, [&](std::size_t i, std::size_t j) {
+      const Candidate &a = candidates[i], &b = candidates[j];
+      return (a.is_touching || b.is_touching)
+        && (a.touched == b.touched || a.touched == Segment_grid::no_curve || b.touched == Segment_grid::no_curve)
+        && node_of(ends[i]) != node_of(ends[j]);
+    }, [](const Bridging_arc& arc) { return arc.turn < largest_turn ? arc.mismatch : 1.; });
+    dissolve_smooth_joints();
+  }
+
+  // Two curves that touch each other were taken for one where they are close: between two nodes in which two curves
+  // each lead on smoothly, or in a single node where four curves meet on one tangent.
+  void separate_tangent_curves()
+  {
+    for (bool changed = true; changed; ) {
+      changed = false;
+      const auto incidences = m_network.incidences();
+      for (std::size_t c = 0; c < m_network.curves.size() && !changed; ++c) {
+        const Network_curve& curve = m_network.curves[c];
+        if (!curve.is_alive || curve.is_closed_without_node() || curve.nodes[0] == curve.nodes[1]
+            || incidences[curve.nodes[0]].size() != 3 || incidences[curve.nodes[1]].size() != 3
+            || polyline_length(curve.points) > m_options.maximum_bridge)
+          continue;
+        const std::vector<Curve_end> a = others(incidences[curve.nodes[0]], {c, 0}),
+                                     b = others(incidences[curve.nodes[1]], {c, 1});
+        if (a.size() == 2 && b.size() == 2 && lead_on(a, {c, 0}) && lead_on(b, {c, 1}))
+          changed = separate(a, b, curve.points);
+      }
+      for (std::size_t node = 0; node < incidences.size() && !changed; ++node) {
+        const std::vector<Curve_end>& ends = incidences[node];
+        if (ends.size() != 4)
+          continue;
+        std::vector<Curve_end> sides[2];
+        for (const Curve_end& end : ends)
+          sides[direction(end).dot(direction(ends[0])) < 0.].push_back(end);
+        if (sides[0].size() == 2 && lead_on(sides[1], sides[0][0]) && lead_on(sides[1], sides[0][1]))
+          changed = separate(sides[0], sides[1], {m_network.nodes[node]});
+      }
+    }
+  }
+
+private:
+  struct Candidate
+  {
+    bool is_touching;
+    std::size_t touched;    // the curve, if it is known
+  };
+
+  std::size_t node_of(const Curve_end& end) const { return m_network.curves[end.first].nodes[end.second]; }
+
+  static std::vector<Curve_end> others(const std::vector<Curve_end>& ends, const Curve_end& one)
+  {
+    std::vector<Curve_end> result;
+    for (const Curve_end& end : ends)
+      if (end.first != one.first)
+        result.push_back(end);
+    return result;
+  }
+
+  // the course behind the last part, where other curves disturb it
+  Vector direction(const Curve_end& end) const
+  {
+    return inner_tip(end, has_depth(end, depths[1]) ? depths[1] : 0.).tangent;
+  }
+
+  bool lead_on(const std::vector<Curve_end>& ends, const Curve_end& from) const
+  {
+    const Vector onward = direction(from);
+    return std::all_of(ends.begin(), ends.end(), [&](const Curve_end& end) {
+      return direction(end).dot(onward) < -std::cos(tangential_turn); });
+  }
+
+  // Joins each end on one side to the one on the other side that it leads to, if it is clear which one that is.
+  bool separate(const std::vector<Curve_end>& a, const std::vector<Curve_end>& b, const std::vector<Vector>& between)
+  {
+    double sums[2], largest[2];
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double first = mismatch(a[0], b[k]), second = mismatch(a[1], b[1 - k]);
+      sums[k] = first + second;
+      largest[k] = (std::max)(first, second);
+    }
+    const std::size_t partner = sums[0] < sums[1] ? 0 : 1;
+    if (!(largest[partner] < 1.))
+      return false;
+    const std::array<std::size_t, 2> nodes = {node_of(a[0]), node_of(b[0])};
+    lead_through(a[0], b[partner], between);
+    // what is left in the nodes leads on as well
+    for (std::size_t node : nodes) {
+      std::vector<Curve_end> ends = m_network.incidences()[node];
+      if (ends.size() == 2)
+        join_ends(ends[0], ends[1]);
+    }
+    return true;
+  }
+
+  // of an arc from one end to the other, as far behind the ends as possible: close to them the two curves disturb each
+  // other
+  double mismatch(const Curve_end& a, const Curve_end& b) const
+  {
+    for (double depth : {9., 6., 3.}) {
+      const Bridging_arc arc = bridging_arc(a, depth, b, depth);
+      if (arc.turn < largest_turn)
+        return arc.mismatch;
+    }
+    return (std::numeric_limits<double>::infinity)();
+  }
+
+  // appends the polyline to the curve of `a`, and joins that to the curve of `b`
+  void lead_through(const Curve_end& a, const Curve_end& b, const std::vector<Vector>& between)
+  {
+    Network_curve& curve = m_network.curves[a.first];
+    const std::size_t node = m_network.nodes.size();
+    m_network.nodes.push_back(between.back());
+    std::vector<Vector> points = curve.points;
+    if (a.second == 0)
+      std::reverse(points.begin(), points.end());
+    points.insert(points.end(), between.begin() + 1, between.end());
+    if (a.second == 0)
+      std::reverse(points.begin(), points.end());
+    curve.points = points;
+    curve.nodes[a.second] = node;
+    m_network.curves[b.first].nodes[b.second] = node;
+    join_ends(a, b);
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_TANGENCY_RESOLVER_H

@@ -1,0 +1,272 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_TRACED_NETWORK_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_TRACED_NETWORK_H
+
+#include <CGAL/Wireframe_extraction/internal/field/Contraction.h>
+#include <CGAL/Wireframe_extraction/internal/fit/Spline_network_fit.h>
+#include <CGAL/Wireframe_extraction/internal/network/Curve_end_joiner.h>
+#include <CGAL/Wireframe_extraction/internal/network/Curve_evidence.h>
+#include <CGAL/Wireframe_extraction/internal/network/Surface_evidence.h>
+#include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// Traces curves from the seeds, best first, and joins them to a network.
+class Traced_network
+{
+  const Field_band &m_band, &m_surroundings;
+  const Contraction& m_contraction;
+  const Extraction_options& m_options;
+  Tracing_options m_tracing;
+  Joining_options m_joining;
+
+public:
+  // `surroundings` may be empty: then the surface says nothing
+  Traced_network(const Field_band& band, const Field_band& surroundings, const Contraction& contraction,
+                 const Extraction_options& options)
+    : m_band(band), m_surroundings(surroundings), m_contraction(contraction), m_options(options)
+  {
+    m_tracing.noise = contraction.noise;
+    m_tracing.radius = options.fitting_radius;
+    m_joining.noise = contraction.noise;
+    m_joining.reach = options.corner_reach;
+    m_joining.maximum_bridge = options.maximum_gap;
+    m_joining.smooth_turn = options.smooth_angle * CGAL_PI / 180.;
+  }
+
+  // `proceed(share)` returns whether to go on
+  Curve_network run(std::vector<std::size_t> seeds, const std::function<bool(double)>& proceed) const
+  {
+    const std::vector<Traced_curve> curves = trace(std::move(seeds), proceed);
+    Curve_network network(curves);
+    for (int pass = 0; pass < number_of_passes; ++pass) {
+      network = join(network, pass > 0);
+      // smooth curves know better where they lead than traces do
+      if (!smooth(network, proceed))
+        break;
+    }
+    return join(network, true);
+  }
+
+private:
+  static constexpr int number_of_passes = 2;
+
+  double tolerance_of(std::size_t i) const
+  {
+    return Tracing_options::tolerance(m_band.deviation(i, m_contraction.noise));
+  }
+
+  Curve_network join(Curve_network network, bool is_smooth) const
+  {
+    const double least_gain = m_options.minimum_evidence;
+    const Curve_evidence evidence(m_band, m_contraction.noise);
+    const auto prune = [&](const std::vector<const std::vector<Vector>*>& polylines) {
+      return evidence.prune(polylines, least_gain, 0.35 * least_gain);
+    };
+    Curve_end_joiner joiner(network, m_joining);
+    joiner.prune(prune);
+    joiner.join();
+    joiner.prune(prune);
+    if (m_surroundings.size() > 0)
+      joiner.prune([&](const std::vector<const std::vector<Vector>*>& polylines) { return folded(polylines); });
+    if (is_smooth) {
+      const Curve_evidence sharp_evidence(m_band, m_contraction.noise, 0.06);
+      joiner.round_off([&](const Vector& center, double radius, const std::vector<const std::vector<Vector>*>& lines) {
+        return sharp_evidence.loss_around(center, radius, lines);
+      }, 0.5 * least_gain);
+      std::vector<double> distances = evidence.distances(network.polylines());
+      joiner.add_edges_between_nodes(10., [&](const std::vector<Vector>& edge) {
+        return evidence.gain_of(edge, distances) - least_gain - 0.35 * least_gain * polyline_length(edge);
+      }, [&](const std::vector<Vector>& edge) { evidence.add(edge, distances); });
+    }
+    joiner.drop_spurs(4. + 5. * m_contraction.noise, 2. + 4. * m_contraction.noise);
+    if (!m_band.is_on_crease.empty()) {
+      joiner.trim_free_ends([&](const Vector& p) { return is_on_crease(p); }, 25.);
+      joiner.join();
+      joiner.drop_spurs(4. + 5. * m_contraction.noise, 2. + 4. * m_contraction.noise);
+    }
+    return network;
+  }
+
+  // Returns which of the curves the surface does not rule out. If it rules out all, the cloud is no surface with folds,
+  // and the field alone counts.
+  std::vector<char> folded(const std::vector<const std::vector<Vector>*>& polylines) const
+  {
+    // of half the fold's angle: the surface turns by less than 17 degrees, beyond doubt
+    static constexpr double least_slope = 0.15;
+    const std::vector<Surface_evidence::Fold> folds = Surface_evidence(m_surroundings).folds(polylines);
+    std::vector<char> keep(polylines.size());
+    for (std::size_t c = 0; c < polylines.size(); ++c)
+      keep[c] = polylines[c] && !(folds[c].is_known && folds[c].slope + folds[c].deviation < least_slope);
+    if (std::find(keep.begin(), keep.end(), 1) == keep.end())
+      for (std::size_t c = 0; c < polylines.size(); ++c)
+        keep[c] = polylines[c] != nullptr;
+    return keep;
+  }
+
+  // whether most of the points near a position say so
+  bool is_on_crease(const Vector& position) const
+  {
+    std::vector<std::size_t> found;
+    m_band.search.query(position, 1.5, found);
+    std::size_t on_crease = 0, all = 0;
+    for (std::size_t i : found)
+      if (i < m_band.skeleton_size) {
+        ++all;
+        on_crease += m_band.is_on_crease[i] != 0;
+      }
+    return 2 * on_crease > all;
+  }
+
+  // replaces the polylines by splines fitted to the field
+  bool smooth(Curve_network& network, const std::function<bool(double)>& proceed) const
+  {
+    std::vector<Fitted_curve> fitted;
+    std::vector<std::size_t> origin;
+    for (std::size_t c = 0; c < network.curves.size(); ++c)
+      if (network.curves[c].is_alive) {
+        Fitted_curve curve;
+        curve.path = network.curves[c].points;
+        for (int e = 0; e < 2; ++e)
+          curve.vertices[e] = network.curves[c].nodes[e] == no_node ? Fitted_curve::no_vertex
+                                                                    : network.curves[c].nodes[e];
+        fitted.push_back(curve);
+        origin.push_back(c);
+      }
+    if (fitted.empty())
+      return true;
+    Extraction_options options = m_options;
+    options.number_of_rounds = 2;
+    Spline_network_fit fit(m_band, m_contraction.noise, options, network.nodes, fitted);
+    const bool is_complete = fit.run([&](double) { return proceed(1.); });
+    network.nodes = fit.vertices();
+    for (std::size_t k = 0; k < origin.size(); ++k)
+      sample(fit.curves()[k].spline, network.curves[origin[k]]);
+    return is_complete;
+  }
+
+  static void sample(const Cubic_spline& spline, Network_curve& curve)
+  {
+    const double length = spline.back() - spline.front();
+    const std::size_t count = (std::max)(std::size_t(6), static_cast<std::size_t>(2. * length));
+    curve.points.clear();
+    for (std::size_t k = 0; k <= count; ++k)
+      curve.points.push_back(spline.at(spline.front() + length * double(k) / double(count)));
+    if (curve.is_closed_without_node()) {
+      curve.points.back() = curve.points.front();
+      return;
+    }
+    const double inward = (std::min)(1., 0.3 * length);
+    for (int e = 0; e < 2; ++e) {
+      const Cubic_spline::Basis basis = spline.basis(e == 0 ? spline.front() + inward : spline.back() - inward);
+      const Vector d1 = spline.combine(basis, 1), d2 = spline.combine(basis, 2);
+      Local_curve& tip = curve.tips[e];
+      tip.point = spline.combine(basis);
+      tip.tangent = (e == 0 ? -1. : 1.) * d1.normalized();
+      tip.bend = (d2 - d2.dot(tip.tangent) * tip.tangent) / (std::max)(0.25, d1.squaredNorm());
+      if (tip.bend.norm() > 0.4)
+        tip.bend *= 0.4 / tip.bend.norm();
+      tip.move_along_to(e == 0 ? curve.points.front() : curve.points.back());
+    }
+  }
+
+  std::vector<Traced_curve> trace(std::vector<std::size_t> seeds, const std::function<bool(double)>& proceed) const
+  {
+    const std::vector<double>& residuals = m_contraction.residuals;
+    std::sort(seeds.begin(), seeds.end(), [&](std::size_t a, std::size_t b) {
+      const double ra = (std::max)(residuals[a], 0.02), rb = (std::max)(residuals[b], 0.02);
+      return ra < rb || (ra == rb && a < b);
+    });
+    const double noise = m_contraction.noise;
+    std::vector<Traced_curve> curves;
+    Field_explanation explanation(m_band);
+    Curve_tracer tracer(m_band, m_tracing, &explanation);
+    for (const Traced_curve& curve : m_contraction.creases) {
+      explanation.add(curve.points);
+      tracer.keep(curve);
+      curves.push_back(curve);
+    }
+    // a fading crease can be followed further in a field that is precise
+    for (std::size_t c = 0; noise < 0.1 && c < curves.size(); ++c) {
+      tracer.extend(curves[c], c);
+      explanation.add(curves[c].points);
+    }
+    std::size_t done = 0;
+    for (std::size_t i : seeds) {
+      if (++done % 256 == 0 && !proceed(double(done) / double(seeds.size())))
+        break;
+      if (residuals[i] > 0.1 + 1.3 * noise)
+        break;
+      const Local_curve& seed = m_contraction.curves[i];
+      if (explanation.is_explained(i, noise)
+          || std::abs(m_band.distances[i] - seed.distance(m_band.points[i])) > tolerance_of(i)
+          || tracer.is_traced(seed))
+        continue;
+      const Traced_curve curve = tracer.trace(seed);
+      if (curve.length() < 3. + 5. * noise || curve.typical_residual() > 0.1 + 1.6 * noise)
+        continue;
+      explanation.add(curve.points);
+      tracer.keep(curve);
+      curves.push_back(curve);
+    }
+    trace_unexplained(tracer, explanation, curves);
+    return curves;
+  }
+
+  // Curves so close to others that no fit there was good: what the others explain is set aside now.
+  void trace_unexplained(Curve_tracer& tracer, Field_explanation& explanation, std::vector<Traced_curve>& curves) const
+  {
+    const Curve_evidence evidence(m_band, m_contraction.noise);
+    Local_curve_fit fit(m_band);
+    Local_fit_options fit_options;
+    fit_options.radius = 0.6 * m_options.fitting_radius;
+    fit_options.scale = m_tracing.fit_scale();
+    for (std::size_t i = 0; i < m_band.skeleton_size; ++i) {
+      if (explanation.is_explained(i, m_contraction.noise))
+        continue;
+      std::size_t unexplained = 0;
+      Local_curve seed = fit.principal_axis(m_band.points[i], 3., [&](std::size_t j) {
+        const bool is_left = !explanation.is_explained(j, m_contraction.noise);
+        unexplained += is_left && j < m_band.skeleton_size;
+        return is_left;
+      });
+      if (unexplained < 5)
+        continue;
+      fit.refine_from(seed, m_band.points[i], fit_options);
+      seed.move_along_to(m_band.points[i]);
+      if (std::abs(m_band.distances[i] - seed.distance(m_band.points[i])) > tolerance_of(i) || tracer.is_traced(seed))
+        continue;
+      const Traced_curve curve = tracer.trace(seed);
+      // these seeds are worse than the others, so their curves must prove more
+      const double length = curve.length();
+      if (length < 3. + 5. * m_contraction.noise
+          || evidence.gain_of(curve.points, explanation.distances()) < (2. + 0.7 * length) * m_options.minimum_evidence)
+        continue;
+      explanation.add(curve.points);
+      tracer.keep(curve);
+      curves.push_back(curve);
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_TRACED_NETWORK_H

@@ -1,0 +1,257 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_EXTRACTION_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_EXTRACTION_H
+
+#include <CGAL/Wireframe_extraction/Default_visitor.h>
+#include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
+#include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
+#include <CGAL/Wireframe_extraction/build_topological_graph.h>
+#include <CGAL/Wireframe_extraction/contract_skeleton.h>
+#include <CGAL/Wireframe_extraction/detect_corners.h>
+#include <CGAL/Wireframe_extraction/fit_curves.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/input_checks.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/Stage_runner.h>
+#include <CGAL/Wireframe_extraction/recognize_curve_types.h>
+#include <CGAL/Wireframe_extraction/refine_field.h>
+#include <CGAL/Wireframe_extraction/segment_curves.h>
+#include <CGAL/Wireframe_extraction/select_skeleton.h>
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+template <class T> T& referred(T& object) { return object; }
+template <class T> T& referred(std::reference_wrapper<T>& reference) { return reference.get(); }
+
+// Runs all stages on a cloud, and reports how it went.
+template <class GeomTraits, class NamedParameters>
+class Extraction
+{
+  typedef Wireframe_extraction_report Report;
+  typedef CGAL::Wireframe_curve<GeomTraits> Curve;
+
+  const GeomTraits& m_traits;
+  const NamedParameters& m_np;
+  const Extraction_options m_options;
+  Report m_own_report;
+  Report& m_report;
+  Stage_runner m_runner;
+  const std::function<bool(double)> m_progress;
+  std::unique_ptr<Surveyed_cloud> m_cloud;      // as long as it is needed
+  Wireframe_skeleton<GeomTraits> m_skeleton;
+  std::vector<Wireframe_corner<GeomTraits> > m_corners;
+  std::vector<std::vector<std::size_t> > m_clusters;
+  Wireframe_graph<GeomTraits> m_graph;
+  Wireframe<GeomTraits> m_wireframe;
+
+public:
+  Extraction(const GeomTraits& traits, const NamedParameters& np)
+    : m_traits(traits), m_np(np), m_options(given_options(np)),
+      m_report(CGAL::parameters::choose_parameter(
+        CGAL::parameters::get_parameter(np, internal_np::extraction_report), std::ref(m_own_report)).get()),
+      m_runner(CGAL::parameters::choose_parameter(
+        CGAL::parameters::get_parameter(np, CGAL::internal_np::callback), std::function<bool(double)>()), m_report),
+      m_progress([this](double share) { return m_runner.proceed(share); })
+  {
+    m_report = Report();
+  }
+
+  Wireframe<GeomTraits> run(Distance_cloud_source& source, bool is_reading_timed)
+  {
+    Default_visitor no_visitor;
+    auto given_visitor = CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(m_np, internal_np::visitor), std::ref(no_visitor));
+    auto& visitor = referred(given_visitor);
+    if (!read(source, is_reading_timed) || !find_scale(visitor) || !find_skeleton(visitor)
+        || !find_curves(visitor) || !fit_all(visitor))
+      return Wireframe<GeomTraits>();
+    summarize();
+    return m_wireframe;
+  }
+
+private:
+  bool fail(Report::Status status, const std::string& message)
+  {
+    m_report.status = status;
+    m_report.message = message;
+    return false;
+  }
+
+  template <class Stage>
+  bool stage(const char* name, double share_when_done, const Stage& work)
+  {
+    return m_runner.run(name, share_when_done, work) || fail(Report::Status::CANCELLED, "cancelled");
+  }
+
+  bool is_readable()
+  {
+    return m_cloud->error().empty() || fail(Report::Status::INVALID_INPUT, m_cloud->error());
+  }
+
+  bool read(Distance_cloud_source& source, bool is_timed)
+  {
+    const std::string problem = out_of_range(m_options);
+    if (!problem.empty())
+      return fail(Report::Status::INVALID_INPUT, problem);
+    m_cloud = std::make_unique<Surveyed_cloud>(source, points_in_memory(m_np));
+    const bool skip_invalid = CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(m_np, internal_np::skip_invalid), false);
+    CGAL::Real_timer timer;
+    timer.start();
+    if (!survey(*m_cloud, skip_invalid, m_report))
+      return fail(Report::Status::INVALID_INPUT, m_report.message);
+    if (is_timed)
+      m_report.seconds.emplace_back("reading", timer.time());
+    return m_runner.reach(0.02) || fail(Report::Status::CANCELLED, "cancelled");
+  }
+
+  template <class Visitor>
+  bool find_scale(Visitor& visitor)
+  {
+    const int dimension = internal::dimension(m_cloud->sample().positions);
+    if (dimension < 2)
+      return fail(Report::Status::INVALID_INPUT,
+                  std::string(dimension == 0 ? "all points coincide" : "all points lie on one line")
+                    + "; a wireframe needs points of a surface, so check what holds x, y and z");
+    if (dimension == 2)
+      m_report.warnings.push_back("all points lie in one plane");
+    const double given = CGAL::to_double(CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(m_np, internal_np::sampling_distance), 0.));
+    Cloud_scale scale;
+    if (!stage("sampling distance", 0.06, [&] { scale = m_cloud->scale(); }) || !is_readable())
+      return false;
+    const double unit = given > 0. ? given : scale.sampling_distance;
+    if (!check_scale(*m_cloud, scale, given, m_report) || !check_truncation(*m_cloud, unit, m_options, m_report))
+      return fail(Report::Status::INVALID_INPUT, m_report.message);
+    m_report.sampling_distance = unit;
+    visitor.sampling_distance_estimated(unit);
+    return true;
+  }
+
+  template <class Visitor>
+  bool find_skeleton(Visitor& visitor)
+  {
+    const double unit = m_report.sampling_distance;
+    if (!stage("skeleton", 0.1, [&] { m_skeleton = select_skeleton(*m_cloud, unit, m_options, m_traits); })
+        || !is_readable())
+      return false;
+    m_report.skeleton_size = m_skeleton.size();
+    warn_of_points_left_out();
+    if (m_skeleton.is_empty())
+      return fail(Report::Status::NO_FEATURE, no_feature_message(*m_cloud, unit, m_options.skeleton_distance));
+    visitor.skeleton_selected(m_skeleton);
+    if (!stage("contraction", 0.2, [&] { contract(m_skeleton, m_options, m_progress); }))
+      return false;
+    if (m_options.use_creases && (!stage("refinement", 0.6, [&] { refine_where_needed(); }) || !is_readable()))
+      return false;
+    m_cloud.reset();
+    m_report.noise = m_skeleton.contraction().noise * unit;
+    visitor.skeleton_contracted(m_skeleton);
+    return true;
+  }
+
+  // a precise field is as good as the surface, which need not be looked at
+  void refine_where_needed()
+  {
+    if (m_skeleton.contraction().is_precise())
+      return;
+    select_surroundings(*m_cloud, m_options, m_skeleton);
+    if (m_cloud->error().empty())
+      refine(m_skeleton, m_options, m_progress);
+  }
+
+  void warn_of_points_left_out()
+  {
+    m_report.number_of_duplicates = m_skeleton.number_of_duplicates();
+    m_report.number_of_strays = m_skeleton.number_of_strays();
+    const auto warn = [&](std::size_t number, const char* reason) {
+      if (number > 0)
+        m_report.warnings.push_back("points near features that were left out since they lie " + std::string(reason) + ": "
+                                    + std::to_string(number));
+    };
+    warn(m_report.number_of_duplicates, "exactly where others do");
+    warn(m_report.number_of_strays, "more than 1e9 sampling distances away from the others");
+  }
+
+  template <class Visitor>
+  bool find_curves(Visitor& visitor)
+  {
+    if (!stage("corners", 0.62, [&] { m_corners = detect_corners(m_skeleton, m_np); }))
+      return false;
+    visitor.corners_detected(m_skeleton, m_corners);
+    if (!stage("segmentation", 0.65, [&] { m_clusters = segment_curves(m_skeleton, m_corners, m_np); }))
+      return false;
+    m_report.number_of_clusters = m_clusters.size();
+    visitor.curves_segmented(m_skeleton, m_clusters);
+    if (!stage("graph", 0.85, [&] {
+          m_graph = build_graph(m_skeleton, m_corners, m_clusters, m_options, m_progress);
+        }))
+      return false;
+    visitor.graph_built(m_graph);
+    return true;
+  }
+
+  template <class Visitor>
+  bool fit_all(Visitor& visitor)
+  {
+    if (!stage("splines", 0.92, [&] { m_wireframe = fit(m_skeleton, m_graph, m_options, m_progress); }))
+      return false;
+    if (m_wireframe.is_empty())
+      return fail(Report::Status::NO_FEATURE, "no curve explains the field");
+    visitor.curves_fitted(m_wireframe);
+    if (!m_options.recognize_types)
+      return true;
+    if (!stage("types", 1., [&] {
+          m_wireframe = recognize(m_skeleton, m_wireframe, m_options, m_report.regularities);
+        }))
+      return false;
+    visitor.types_recognized(m_wireframe);
+    return true;
+  }
+
+  void summarize()
+  {
+    std::vector<std::size_t> ends(m_wireframe.vertices.size(), 0);
+    double squares = 0., support = 0.;
+    for (const Curve& curve : m_wireframe.curves) {
+      if (curve.source != curve.no_vertex) {
+        ++ends[curve.source];
+        ++ends[curve.target];
+      }
+      squares += CGAL::square(CGAL::to_double(curve.root_mean_square)) * double(curve.support);
+      support += double(curve.support);
+      m_report.maximum_deviation = (std::max)(m_report.maximum_deviation, CGAL::to_double(curve.maximum_deviation));
+    }
+    m_report.root_mean_square = support > 0. ? std::sqrt(squares / support) : 0.;
+    m_report.number_of_free_ends = std::count(ends.begin(), ends.end(), std::size_t(1));
+    m_report.number_of_corners = m_wireframe.vertices.size() - m_report.number_of_free_ends;
+    m_report.number_of_curves = m_wireframe.curves.size();
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_EXTRACTION_H

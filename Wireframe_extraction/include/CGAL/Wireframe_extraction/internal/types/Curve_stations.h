@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_CURVE_STATIONS_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_CURVE_STATIONS_H
+
+#include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
+#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/field/polyline_feet.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// Where the field has a piece of a curve: the place, and how firmly it is held in each direction across the curve.
+struct Station
+{
+  double parameter = 0.;                                    // arc length along the curve that was followed
+  Vector position = Vector::Zero();                         // where the field has the curve
+  Vector followed = Vector::Zero();                         // where the curve that was followed is
+  Vector tangent = Vector::UnitX();                         // of the curve that was followed
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();    // inverse covariance of the position; 0 along the tangent
+  std::size_t support = 0;                                  // number of points
+};
+
+// A point of the band and its foot on a curve.
+struct Curve_support { std::size_t point; double parameter; Vector foot; };
+
+// Follows polylines through the field and tells, about every 1.5 sampling distances, where the field has them. The
+// variance of a station is that of a single distance, which the noise level of the field tells, over the sum of its
+// points' weights: the errors of the refined field, and those of points that share a patch of the surface, are alike
+// over some sampling distances, so that the scatter within a station would promise too much.
+class Curve_stations
+{
+  // Even an exact field is known at points only, and curves are sampled.
+  static constexpr double least_deviation = 0.008;
+
+  const Field_band& m_band;
+  double m_noise, m_support_distance;
+
+public:
+  static constexpr double spacing = 1.5;
+
+  Curve_stations(const Field_band& band, double noise, double support_distance)
+    : m_band(band), m_noise(noise), m_support_distance(support_distance)
+  {}
+
+  // for each polyline the points nearest to it, except those beyond its ends
+  std::vector<std::vector<Curve_support> > find_support(const std::vector<std::vector<Vector> >& polylines) const
+  {
+    std::vector<std::vector<double> > lengths;
+    for (const std::vector<Vector>& polyline : polylines)
+      lengths.push_back(arc_lengths(polyline));
+    const std::vector<Polyline_foot> feet = nearest_feet(m_band, pointers_to(polylines), m_support_distance + 1.);
+    std::vector<std::vector<Curve_support> > support(polylines.size());
+    for (std::size_t i = 0; i < m_band.size(); ++i) {
+      if (!feet[i].is_valid())
+        continue;
+      const std::size_t c = feet[i].curve;
+      const std::vector<Vector>& polyline = polylines[c];
+      const double u = feet[i].interpolate(lengths[c]);
+      const bool is_closed = polyline.front() == polyline.back();
+      if (is_closed || !is_at_end(u, lengths[c].back()))
+        support[c].push_back({i, u, feet[i].point(polyline)});
+    }
+    return support;
+  }
+
+  // the stations of a polyline, in its order
+  std::vector<Station> run(const std::vector<Vector>& polyline, const std::vector<Curve_support>& support) const
+  {
+    const std::vector<double> lengths = arc_lengths(polyline);
+    const std::size_t count = (std::max)(std::size_t(1), static_cast<std::size_t>(lengths.back() / spacing));
+    std::vector<std::vector<const Curve_support*> > members(count);
+    for (const Curve_support& s : support) {
+      const std::size_t i = static_cast<std::size_t>(s.parameter / lengths.back() * double(count));
+      members[(std::min)(count - 1, i)].push_back(&s);
+    }
+    std::vector<Station> stations;
+    Polyline_walk walk(polyline, lengths);
+    for (std::size_t i = 0; i < count; ++i) {
+      Station station;
+      station.parameter = lengths.back() * (double(i) + 0.5) / double(count);
+      station.position = walk.advance_to(station.parameter);
+      station.tangent = walk.segment().normalized();
+      locate(members[i], station);
+      stations.push_back(station);
+    }
+    return stations;
+  }
+
+private:
+  // moves the station across the curve until the residuals of its points are least
+  void locate(const std::vector<const Curve_support*>& members, Station& station) const
+  {
+    const Vector across = station.tangent.unitOrthogonal(), up = station.tangent.cross(across);
+    Eigen::Vector2d shift = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d normal_matrix = Eigen::Matrix2d::Zero();
+    const double scale = 0.05 + 1.5 * m_noise;
+    for (int round = 0; round < 4; ++round) {
+      normal_matrix.setZero();
+      Eigen::Vector2d right_side = Eigen::Vector2d::Zero();
+      station.support = 0;
+      const Vector moved = shift[0] * across + shift[1] * up;
+      for (const Curve_support* member : members) {
+        const Vector offset = m_band.points[member->point] - member->foot - moved;
+        const double length = offset.norm(), d = m_band.distances[member->point], e = d - length;
+        if (length < 1e-9 || std::abs(e) > residual_cutoff(m_noise))
+          continue;
+        const double worth = (0.03 + m_noise) / (0.03 + m_band.deviation(member->point, m_noise));
+        const double weight = worth * worth / (1. + 0.5 * d * d) / (1. + e * e / (scale * scale));
+        const Eigen::Vector2d gradient(offset.dot(across) / length, offset.dot(up) / length);
+        normal_matrix += weight * gradient * gradient.transpose();
+        right_side -= weight * e * gradient;
+        ++station.support;
+      }
+      // Where the points lie in one plane through the curve, they say nothing of the direction across it.
+      const double damping = 0.02 * normal_matrix.trace() + 1e-6;
+      shift += (normal_matrix + damping * Eigen::Matrix2d::Identity()).ldlt().solve(right_side);
+      if (shift.norm() > 1.)
+        shift /= shift.norm();
+    }
+    station.followed = station.position;
+    station.position += shift[0] * across + shift[1] * up;
+    Eigen::Matrix<double, 3, 2> frame;
+    frame << across, up;
+    station.information = frame * normal_matrix * frame.transpose()
+      / (m_noise * m_noise + least_deviation * least_deviation);
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_CURVE_STATIONS_H
