@@ -61,16 +61,18 @@ public:
   void check_summary() const
   {
     std::error_code code;
-    if(std::filesystem::is_directory(m_summary, code))
+    if (std::filesystem::is_directory(m_summary, code))
       throw Error(USAGE_ERROR, m_summary.string() + ": is a folder, so the summary cannot be written there");
-    if(!std::filesystem::is_regular_file(m_summary, code))
+    if (!std::filesystem::is_regular_file(m_summary, code))
       return;
     std::ifstream stream(m_summary);
     std::string line;
     std::getline(stream, line);
-    if(line != summary_header())
-      throw Error(USAGE_ERROR, m_summary.string() + ": is there, and is not the summary of a batch; give "
-                               "another --summary");
+    if (line != summary_header())
+      throw Error(USAGE_ERROR,
+                  m_summary.string()
+                    + ": is there, and is not the summary of a batch; give "
+                      "another --summary");
   }
 
   // the clouds from the first one to before the last one
@@ -80,15 +82,16 @@ public:
     std::error_code code;
     const fs::path folder = fs::weakly_canonical(m_folder, code);
     const std::string summary = fs::weakly_canonical(m_summary, code).lexically_relative(folder).generic_string();
-    for(std::size_t i = first; i < last; ++i)
+    for (std::size_t i = first; i < last; ++i)
     {
       const std::string name = m_list.output_name(i);
       bool is_taken = name.compare(0, 7, ".batch/") == 0 || name == ".batch";
-      for(const std::string& format : m_options.formats)
+      for (const std::string& format : m_options.formats)
         is_taken = is_taken || name + "." + format == summary;
-      if(is_taken)
-        throw Error(BAD_INPUT, m_list.place(i) + ": " + name + " is the name of a file of the batch itself; rename "
-                               + m_list.entry(i) + ", or give another --summary");
+      if (is_taken)
+        throw Error(BAD_INPUT,
+                    m_list.place(i) + ": " + name + " is the name of a file of the batch itself; rename "
+                      + m_list.entry(i) + ", or give another --summary");
     }
   }
 
@@ -101,13 +104,13 @@ public:
 
   bool are_outputs_there(std::size_t i, const Batch_record& record) const
   {
-    if(record.outputs.size() != m_options.formats.size())
+    if (record.outputs.size() != m_options.formats.size())
       return false;
-    for(const auto& known : record.outputs)
+    for (const auto& known : record.outputs)
     {
       std::error_code code;
       const std::uintmax_t size = std::filesystem::file_size(output(i, known.first), code);
-      if(code || size != known.second)
+      if (code || size != known.second)
         return false;
     }
     return std::all_of(m_options.formats.begin(), m_options.formats.end(),
@@ -118,16 +121,18 @@ public:
   std::string why_outputs_are_not_ours(std::size_t i, const Batch_record& record) const
   {
     std::error_code code;
-    for(const auto& known : record.outputs)
-      if(std::filesystem::equivalent(output(i, known.first), m_list.cloud(i), code))
-        return m_list.cloud(i) + ": was made by a batch in the same folder, and is a cloud now; give another "
-               "--output-dir";
-    for(const std::string& format : m_options.formats)
+    for (const auto& known : record.outputs)
+      if (std::filesystem::equivalent(output(i, known.first), m_list.cloud(i), code))
+        return m_list.cloud(i)
+          + ": was made by a batch in the same folder, and is a cloud now; give another "
+            "--output-dir";
+    for (const std::string& format : m_options.formats)
     {
       const std::filesystem::path path = output(i, format);
-      if(std::filesystem::exists(std::filesystem::symlink_status(path, code)) && !record.has_output(format))
-        return path.string() + ": is there already, and no batch has made it; move it away, or give another "
-               "--output-dir";
+      if (std::filesystem::exists(std::filesystem::symlink_status(path, code)) && !record.has_output(format))
+        return path.string()
+          + ": is there already, and no batch has made it; move it away, or give another "
+            "--output-dir";
     }
     return std::string();
   }
@@ -136,23 +141,23 @@ public:
   void move_outputs(std::size_t i, std::size_t slot, Batch_record& record) const
   {
     std::error_code code;
-    for(auto& made : record.outputs)
+    for (auto& made : record.outputs)
     {
       const std::filesystem::path target = output(i, made.first);
       std::filesystem::create_directories(target.parent_path(), code);
-      if(!code)
+      if (!code)
         made.second = std::filesystem::file_size(draft(i, slot, made.first), code);
-      if(!code)
+      if (!code)
         std::filesystem::rename(draft(i, slot, made.first), target, code);
-      if(code)
+      if (code)
       {
         record.result.exit_code = INTERNAL_ERROR;
         record.result.error = target.string() + ": cannot be written: " + code.message();
         break;
       }
     }
-    if(!record.result.error.empty())
-      for(const auto& made : record.outputs)
+    if (!record.result.error.empty())
+      for (const auto& made : record.outputs)
         std::filesystem::remove(output(i, made.first), code);
   }
 
@@ -160,7 +165,7 @@ public:
   {
     std::error_code code;
     std::filesystem::create_directories(folder, code);
-    if(!std::filesystem::is_directory(folder))
+    if (!std::filesystem::is_directory(folder))
       throw Error(USAGE_ERROR, folder.string() + ": the folder cannot be made: " + code.message());
   }
 
@@ -168,7 +173,7 @@ public:
   {
     std::error_code code;
     std::filesystem::remove_all(path, code);
-    if(code)
+    if (code)
       throw Error(USAGE_ERROR, path.string() + ": cannot be removed: " + code.message());
   }
 

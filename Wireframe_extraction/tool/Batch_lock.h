@@ -23,10 +23,9 @@ namespace tool {
 class File_lock
 {
 public:
-  explicit File_lock(const std::filesystem::path& path)
-    : m_file(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666))
+  explicit File_lock(const std::filesystem::path& path) : m_file(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666))
   {
-    if(m_file < 0)
+    if (m_file < 0)
       throw Error(USAGE_ERROR, path.string() + ": cannot be written: " + std::strerror(errno));
   }
 
@@ -50,7 +49,7 @@ public:
   bool set_text(const std::string& text)
   {
     return ftruncate(m_file, 0) == 0
-           && pwrite(m_file, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
+      && pwrite(m_file, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
   }
 
 private:
@@ -72,11 +71,12 @@ public:
     const bool is_part = !key.empty();
     // what a killed batch leaves behind ends a moment later
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(3);
-    while(!(m_part_lock.try_alone() && (is_part ? share(key) : m_folder_lock.try_alone())))
+    while (!(m_part_lock.try_alone() && (is_part ? share(key) : m_folder_lock.try_alone())))
     {
-      if(std::chrono::steady_clock::now() > end)
-        throw Error(BUSY, folder.parent_path().string()
-                          + ": another batch is at work there; wait until it has ended, or give another --output-dir");
+      if (std::chrono::steady_clock::now() > end)
+        throw Error(BUSY,
+                    folder.parent_path().string()
+                      + ": another batch is at work there; wait until it has ended, or give another --output-dir");
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
   }
@@ -84,10 +84,10 @@ public:
 private:
   bool share(const std::string& key)
   {
-    if(m_folder_lock.try_shared() && m_folder_lock.text() == key)
+    if (m_folder_lock.try_shared() && m_folder_lock.text() == key)
       return true;
     m_folder_lock.release();
-    if(!m_folder_lock.try_alone())
+    if (!m_folder_lock.try_alone())
       return false;
     const bool is_set = m_folder_lock.set_text(key);
     // another one may come in between

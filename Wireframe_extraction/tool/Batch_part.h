@@ -21,9 +21,9 @@ struct Batch_part
   explicit Batch_part(const std::string& text) : is_all(text.empty())
   {
     int end = 0;
-    if(!text.empty()
-       && (text.size() > 20 || std::sscanf(text.c_str(), "%zu/%zu%n", &number, &count, &end) != 2
-           || static_cast<std::size_t>(end) != text.size() || number < 1 || number > count))
+    if (!text.empty()
+        && (text.size() > 20 || std::sscanf(text.c_str(), "%zu/%zu%n", &number, &count, &end) != 2
+            || static_cast<std::size_t>(end) != text.size() || number < 1 || number > count))
       throw Error(USAGE_ERROR, "--part: \"" + text + "\" is not a part K/N, with K from 1 to N");
   }
 

@@ -26,20 +26,20 @@ public:
   bool is_up_to_date(std::size_t i, const Batch_record& record)
   {
     const bool is_kept = record.state == Batch_record::FAILED && m_options.are_failed_kept;
-    if(record.state != Batch_record::SUCCEEDED && !is_kept)
+    if (record.state != Batch_record::SUCCEEDED && !is_kept)
       return false;
-    if(!(record.cloud == File_state(m_list.cloud(i))))
+    if (!(record.cloud == File_state(m_list.cloud(i))))
     {
       ++m_number_of_changed_clouds;
       return false;
     }
-    if(record.settings != m_options.settings)
+    if (record.settings != m_options.settings)
     {
       ++m_number_of_changed_settings;
       m_old_settings = record.settings;
       return false;
     }
-    if(is_kept || m_files.are_outputs_there(i, record))
+    if (is_kept || m_files.are_outputs_there(i, record))
       return true;
     ++m_number_of_missing_outputs;
     return false;
@@ -47,14 +47,14 @@ public:
 
   void say_what_is_done_again(Batch_progress& progress) const
   {
-    if(m_number_of_changed_clouds > 0)
+    if (m_number_of_changed_clouds > 0)
       progress.say("Clouds that have changed since, so that they are done again: "
                    + std::to_string(m_number_of_changed_clouds));
-    if(m_number_of_missing_outputs > 0)
+    if (m_number_of_missing_outputs > 0)
       progress.say("Clouds whose outputs are of another --format, or no longer what they were, so that they are done "
                    "again: "
                    + std::to_string(m_number_of_missing_outputs));
-    if(m_number_of_changed_settings > 0)
+    if (m_number_of_changed_settings > 0)
       progress.say("Clouds that were done with other options (" + m_old_settings + "; now " + m_options.settings
                    + "), so that they are done again: " + std::to_string(m_number_of_changed_settings));
   }

@@ -24,7 +24,7 @@ public:
   // a line that stays
   void say(const std::string& text)
   {
-    if(m_is_on)
+    if (m_is_on)
       std::fprintf(stderr, "%s%s\n", m_is_terminal ? "\r\033[K" : "", text.c_str());
   }
 
@@ -38,13 +38,12 @@ public:
   {
     const auto now = Clock::now();
     const double pause = m_is_terminal ? 0.2 : 60.;
-    if(!m_is_on || std::chrono::duration<double>(now - m_shown).count() < pause)
+    if (!m_is_on || std::chrono::duration<double>(now - m_shown).count() < pause)
       return;
     m_shown = now;
     const std::string text = std::to_string(m_number_done) + " of " + std::to_string(m_number_to_do) + " done, "
-                             + std::to_string(m_number_failed) + " failed, " + std::to_string(number_of_running)
-                             + " at work" + time_left(now);
-    if(m_is_terminal)
+      + std::to_string(m_number_failed) + " failed, " + std::to_string(number_of_running) + " at work" + time_left(now);
+    if (m_is_terminal)
       std::fprintf(stderr, "\r\033[K%s", text.c_str());
     else
       std::fprintf(stderr, "%s\n", text.c_str());
@@ -52,7 +51,7 @@ public:
 
   void clear() const
   {
-    if(m_is_on && m_is_terminal)
+    if (m_is_on && m_is_terminal)
       std::fputs("\r\033[K", stderr);
   }
 
@@ -61,10 +60,10 @@ private:
 
   std::string time_left(Clock::time_point now) const
   {
-    if(m_number_done == 0)
+    if (m_number_done == 0)
       return std::string();
-    const double seconds = std::chrono::duration<double>(now - m_begin).count()
-                           * double(m_number_to_do - m_number_done) / double(m_number_done);
+    const double seconds = std::chrono::duration<double>(now - m_begin).count() * double(m_number_to_do - m_number_done)
+      / double(m_number_done);
     char text[64];
     std::snprintf(text, sizeof(text), ", about %.0f:%02d h left", std::floor(seconds / 3600.),
                   static_cast<int>(std::fmod(seconds / 60., 60.)));

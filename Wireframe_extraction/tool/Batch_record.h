@@ -33,7 +33,7 @@ struct File_state
     std::error_code code;
     size = std::filesystem::file_size(path, code);
     const auto last_write = std::filesystem::last_write_time(path, code);
-    if(!code)
+    if (!code)
       time = static_cast<std::int64_t>(last_write.time_since_epoch().count());
   }
 
@@ -42,19 +42,25 @@ struct File_state
 
 struct Batch_record
 {
-  enum State { NONE, STARTED, SUCCEEDED, FAILED };
+  enum State
+  {
+    NONE,
+    STARTED,
+    SUCCEEDED,
+    FAILED
+  };
 
   State state = NONE;
   std::string settings;
   File_state cloud;
-  std::vector<std::pair<std::string, std::uintmax_t> > outputs; // their formats and sizes; names need not be UTF-8
+  std::vector<std::pair<std::string, std::uintmax_t>> outputs; // their formats and sizes; names need not be UTF-8
   Cloud_result result;
   double seconds = 0., processor_seconds = 0., peak_megabytes = 0.;
 
   bool has_output(const std::string& format) const
   {
-    for(const auto& output : outputs)
-      if(output.first == format)
+    for (const auto& output : outputs)
+      if (output.first == format)
         return true;
     return false;
   }
@@ -62,14 +68,20 @@ struct Batch_record
 
 inline std::string to_text(const Batch_record& record)
 {
-  nlohmann::json document = {
-    { "state", record.state }, { "settings", record.settings },
-    { "cloud", { record.cloud.size, record.cloud.time } }, { "outputs", record.outputs },
-    { "exit_code", record.result.exit_code }, { "error", record.result.error },
-    { "points", record.result.number_of_points }, { "curves", record.result.number_of_curves },
-    { "corners", record.result.number_of_corners }, { "sampling_distance", record.result.sampling_distance },
-    { "warnings", record.result.warnings }, { "seconds", record.seconds },
-    { "processor_seconds", record.processor_seconds }, { "peak_megabytes", record.peak_megabytes } };
+  nlohmann::json document = {{"state", record.state},
+                             {"settings", record.settings},
+                             {"cloud", {record.cloud.size, record.cloud.time}},
+                             {"outputs", record.outputs},
+                             {"exit_code", record.result.exit_code},
+                             {"error", record.result.error},
+                             {"points", record.result.number_of_points},
+                             {"curves", record.result.number_of_curves},
+                             {"corners", record.result.number_of_corners},
+                             {"sampling_distance", record.result.sampling_distance},
+                             {"warnings", record.result.warnings},
+                             {"seconds", record.seconds},
+                             {"processor_seconds", record.processor_seconds},
+                             {"peak_megabytes", record.peak_megabytes}};
   return document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -106,16 +118,16 @@ inline Batch_record read_record(const std::filesystem::path& path, const std::ve
 {
   Batch_record record;
   std::error_code code;
-  if(!std::filesystem::exists(path, code))
+  if (!std::filesystem::exists(path, code))
     return record;
   try
   {
     return record_of_text(text_of_file(path));
   }
-  catch(const nlohmann::json::exception&)
+  catch (const nlohmann::json::exception&)
   {
     record.state = Batch_record::STARTED;
-    for(const std::string& format : formats)
+    for (const std::string& format : formats)
       record.outputs.emplace_back(format, 0);
   }
   return record;
@@ -131,10 +143,10 @@ inline void write_record(const Batch_record& record, const std::filesystem::path
   std::ofstream stream(draft, std::ios::binary | std::ios::trunc);
   stream << to_text(record);
   stream.close();
-  if(!stream)
+  if (!stream)
     throw Error(INTERNAL_ERROR, draft.string() + ": cannot be written (is the disk full?)");
   fs::rename(draft, path, code);
-  if(code)
+  if (code)
     throw Error(INTERNAL_ERROR, path.string() + ": cannot be written: " + code.message());
 }
 

@@ -11,8 +11,8 @@
 
 namespace tool {
 
-typedef std::array<double, 2> Pixel_position;   // the middle of the first pixel is (0.5, 0.5)
-typedef std::array<float, 3> Pixel_colour;      // each from 0 to 1
+typedef std::array<double, 2> Pixel_position; // the middle of the first pixel is (0.5, 0.5)
+typedef std::array<float, 3> Pixel_colour;    // each from 0 to 1
 
 class Canvas
 {
@@ -34,7 +34,7 @@ public:
   // All of it is covered evenly, also where it crosses itself.
   void draw_polyline(const std::vector<Pixel_position>& points, double width, const Pixel_colour& colour, float opacity)
   {
-    for(std::size_t i = 0; i + 1 < points.size(); ++i)
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
       cover(points[i], points[i + 1], 0.5 * width);
     blend(colour, opacity);
   }
@@ -44,38 +44,38 @@ private:
   void cover(const Pixel_position& begin, const Pixel_position& end, double radius)
   {
     std::array<std::size_t, 2> first, last;
-    const std::array<std::size_t, 2> size = { { m_width, m_height } };
-    for(std::size_t i = 0; i < 2; ++i)
+    const std::array<std::size_t, 2> size = {{m_width, m_height}};
+    for (std::size_t i = 0; i < 2; ++i)
     {
       const double low = (std::min)(begin[i], end[i]) - radius - 1.;
       const double high = (std::max)(begin[i], end[i]) + radius + 1.;
-      if(!(high > 0.) || !(low < static_cast<double>(size[i])))
+      if (!(high > 0.) || !(low < static_cast<double>(size[i])))
         return;
       first[i] = static_cast<std::size_t>((std::max)(low, 0.));
       last[i] = (std::min)(static_cast<std::size_t>(high), size[i] - 1);
     }
-    for(std::size_t y = first[1]; y <= last[1]; ++y)
-      for(std::size_t x = first[0]; x <= last[0]; ++x)
+    for (std::size_t y = first[1]; y <= last[1]; ++y)
+      for (std::size_t x = first[0]; x <= last[0]; ++x)
       {
-        const Pixel_position middle = { { static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5 } };
+        const Pixel_position middle = {{static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5}};
         const double share = (std::min)(radius + 0.5 - distance_to_segment(middle, begin, end), 1.);
-        if(share > 0.)
+        if (share > 0.)
           cover_pixel(y * m_width + x, static_cast<float>(share));
       }
   }
 
   void cover_pixel(std::size_t index, float share)
   {
-    if(m_coverage[index] == 0.f)
+    if (m_coverage[index] == 0.f)
       m_covered.push_back(index);
     m_coverage[index] = (std::max)(m_coverage[index], share);
   }
 
   void blend(const Pixel_colour& colour, float opacity)
   {
-    for(const std::size_t index : m_covered)
+    for (const std::size_t index : m_covered)
     {
-      for(std::size_t i = 0; i < 3; ++i)
+      for (std::size_t i = 0; i < 3; ++i)
         m_pixels[index][i] += opacity * m_coverage[index] * (colour[i] - m_pixels[index][i]);
       m_coverage[index] = 0.f;
     }
@@ -93,8 +93,8 @@ private:
 
   const std::size_t m_width, m_height;
   std::vector<Pixel_colour> m_pixels;
-  std::vector<float> m_coverage;          // of what is being drawn
-  std::vector<std::size_t> m_covered;     // pixels of it
+  std::vector<float> m_coverage;      // of what is being drawn
+  std::vector<std::size_t> m_covered; // pixels of it
 };
 
 } // namespace tool

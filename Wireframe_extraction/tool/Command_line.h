@@ -37,12 +37,11 @@ public:
     add_graph();
     add_fit();
     add_types();
-    m_app.footer(
-      "Exit codes: 0 success, 1 internal error (or a full disk), 2 wrong usage, 3 bad input,\n"
-      "4 no sharp feature found; of a batch also 5 some clouds failed, 6 another batch is at work there,\n"
-      "128 and more ended by a signal. On failure no OUT is left behind or overwritten.\n\n"
-      "Examples: extract_wireframe part.ply -o part.json -o part.obj\n"
-      "          extract_wireframe --batch clouds.txt --output-dir wireframes --format json --format step");
+    m_app.footer("Exit codes: 0 success, 1 internal error (or a full disk), 2 wrong usage, 3 bad input,\n"
+                 "4 no sharp feature found; of a batch also 5 some clouds failed, 6 another batch is at work there,\n"
+                 "128 and more ended by a signal. On failure no OUT is left behind or overwritten.\n\n"
+                 "Examples: extract_wireframe part.ply -o part.json -o part.obj\n"
+                 "          extract_wireframe --batch clouds.txt --output-dir wireframes --format json --format step");
   }
 
   // throws CLI::ParseError, also when the help or the version is asked for
@@ -50,17 +49,17 @@ public:
   {
     const std::vector<std::string> words = words_of(argc, argv);
     m_app.parse(std::vector<std::string>(words));
-    if(m_options.is_paper)
+    if (m_options.is_paper)
     {
       // once more, so that what was given counts on top of the published behaviour
       namespace wireframe = CGAL::Wireframe_extraction;
       m_options.extraction = wireframe::internal::extraction_options(wireframe::parameters::paper_defaults());
       m_app.parse(std::vector<std::string>(words));
     }
-    if(m_app.count("--splines-only") > 0)
+    if (m_app.count("--splines-only") > 0)
       m_options.extraction.recognize_types = !m_has_splines_only;
     m_options.has_batch = m_app.count("--batch") > 0;
-    if(m_options.has_batch)
+    if (m_options.has_batch)
       complete_batch();
     else
       check_files_are_given();
@@ -76,74 +75,102 @@ private:
   void add_files()
   {
     const std::string group = "Files";
-    m_app.add_option("CLOUD", m_options.input.files,
-                     "The points and their distances: .ply .pcd .npy .npz .h5 .hdf5, or a text of four columns: "
-                     ".xyz .txt .csv .asc .pts; with --distances also .off. With --patches, as many as there are")
+    m_app
+      .add_option("CLOUD", m_options.input.files,
+                  "The points and their distances: .ply .pcd .npy .npz .h5 .hdf5, or a text of four columns: "
+                  ".xyz .txt .csv .asc .pts; with --distances also .off. With --patches, as many as there are")
       ->type_name(" ");
-    m_app.add_option("-o,--output", m_options.outputs,
-                     "Where the wireframe goes, as often as needed; the extension gives the format: .json "
-                     "(all of it), .step .stp .iges .igs .brep .dxf (its curves), .obj .ply .vtp .gltf .glb "
-                     ".polylines.txt .txt .cgal (sampled curves), .svg (a drawing), or .csv (a table)")
-      ->take_all()->allow_extra_args(false)->type_name("OUT")->group(group);
-    m_app.add_option("--html", m_options.html,
-                     "Write a page that shows the cloud, the stages and the curves in a browser, in one file that "
-                     "needs nothing else")
-      ->type_name("OUT.html")->group(group);
-    m_app.add_option("--png", m_options.png,
-                     "Write a picture of the cloud, the curves and the vertices; it takes no display")
-      ->type_name("OUT.png")->group(group);
+    m_app
+      .add_option("-o,--output", m_options.outputs,
+                  "Where the wireframe goes, as often as needed; the extension gives the format: .json "
+                  "(all of it), .step .stp .iges .igs .brep .dxf (its curves), .obj .ply .vtp .gltf .glb "
+                  ".polylines.txt .txt .cgal (sampled curves), .svg (a drawing), or .csv (a table)")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("OUT")
+      ->group(group);
+    m_app
+      .add_option("--html", m_options.html,
+                  "Write a page that shows the cloud, the stages and the curves in a browser, in one file that "
+                  "needs nothing else")
+      ->type_name("OUT.html")
+      ->group(group);
+    m_app
+      .add_option("--png", m_options.png,
+                  "Write a picture of the cloud, the curves and the vertices; it takes no display")
+      ->type_name("OUT.png")
+      ->group(group);
     add_choice("--view", m_options.view,
                {{"isometric", View::ISOMETRIC}, {"front", View::FRONT}, {"right", View::RIGHT}, {"top", View::TOP}},
                "From where the picture of --png is taken, as in .svg", group);
     add_choice("--unit", m_options.unit,
-               {{"um", Length_unit::MICROMETER}, {"mm", Length_unit::MILLIMETER},
-                {"cm", Length_unit::CENTIMETER}, {"m", Length_unit::METER},
-                {"in", Length_unit::INCH}, {"ft", Length_unit::FOOT}},
+               {{"um", Length_unit::MICROMETER},
+                {"mm", Length_unit::MILLIMETER},
+                {"cm", Length_unit::CENTIMETER},
+                {"m", Length_unit::METER},
+                {"in", Length_unit::INCH},
+                {"ft", Length_unit::FOOT}},
                "What the coordinates of CLOUD are in, for formats that say so; nothing is converted", group);
-    add_choice("--step-schema", m_options.step_schema,
-               {{"ap214", Step_schema::AP214}, {"ap242", Step_schema::AP242}},
+    add_choice("--step-schema", m_options.step_schema, {{"ap214", Step_schema::AP214}, {"ap242", Step_schema::AP242}},
                "The application protocol of .step and .stp", group);
     add_boolean("--obj-splines", m_options.has_obj_splines,
                 "Write curves into .obj as free-form curves instead of polylines; not every program reads these",
                 group);
-    m_app.add_option("--stages", m_options.stages_folder,
-                     "Write the result of each stage into this folder (made if missing), as coloured PLY "
-                     "files 1_skeleton.ply to 6_curves.ply for MeshLab or CloudCompare; those of an earlier "
-                     "run are replaced. They stay if a later stage fails")
-      ->type_name("DIR")->group(group);
+    m_app
+      .add_option("--stages", m_options.stages_folder,
+                  "Write the result of each stage into this folder (made if missing), as coloured PLY "
+                  "files 1_skeleton.ply to 6_curves.ply for MeshLab or CloudCompare; those of an earlier "
+                  "run are replaced. They stay if a later stage fails")
+      ->type_name("DIR")
+      ->group(group);
   }
 
   void add_input()
   {
     const std::string group = "Input";
-    CLI::Option* const distances = m_app.add_option("--distances", m_options.input.distances,
-                     "A file with the distances, if they are not in CLOUD: text with one per line, or .npy .npz .h5 .hdf5")
-      ->type_name("FILE")->group(group);
-    m_app.add_option("--distance-property", m_options.input.distance_property,
-                     "The property or column of CLOUD that holds the distances, or of a text without names the number "
-                     "of the column; otherwise the first that is there of distance, distances, sharpness, "
-                     "scalar_distance, quality")
-      ->type_name("NAME")->excludes(distances)->group(group);
-    m_app.add_option("--points-dataset", m_options.input.points_dataset,
-                     "The data set of HDF5, or array of .npz, that holds the points; otherwise points")
-      ->type_name("NAME")->group(group);
-    m_app.add_option("--distances-dataset", m_options.input.distances_dataset,
-                     "The same for the distances; otherwise as for --distance-property")
-      ->type_name("NAME")->group(group);
+    CLI::Option* const distances =
+      m_app
+        .add_option(
+          "--distances", m_options.input.distances,
+          "A file with the distances, if they are not in CLOUD: text with one per line, or .npy .npz .h5 .hdf5")
+        ->type_name("FILE")
+        ->group(group);
+    m_app
+      .add_option("--distance-property", m_options.input.distance_property,
+                  "The property or column of CLOUD that holds the distances, or of a text without names the number "
+                  "of the column; otherwise the first that is there of distance, distances, sharpness, "
+                  "scalar_distance, quality")
+      ->type_name("NAME")
+      ->excludes(distances)
+      ->group(group);
+    m_app
+      .add_option("--points-dataset", m_options.input.points_dataset,
+                  "The data set of HDF5, or array of .npz, that holds the points; otherwise points")
+      ->type_name("NAME")
+      ->group(group);
+    m_app
+      .add_option("--distances-dataset", m_options.input.distances_dataset,
+                  "The same for the distances; otherwise as for --distance-property")
+      ->type_name("NAME")
+      ->group(group);
     add_boolean("--patches", m_options.input.are_patches,
                 "CLOUD is a file with overlapping patches of a cloud, or several ones: a point in several "
-                "patches, each with a distance of its own, becomes one", group);
+                "patches, each with a distance of its own, becomes one",
+                group);
     add_choice("--fuse", m_options.input.fusion,
                {{"minimum", CGAL::Wireframe_extraction::Patch_fusion::MINIMUM},
                 {"median", CGAL::Wireframe_extraction::Patch_fusion::MEDIAN}},
                "What becomes of the distances of a point in several patches", group);
-    m_app.add_option("--indices-dataset", m_options.input.indices_dataset,
-                     "The data set or array that says where the points of patches are in the cloud; otherwise the "
-                     "first that is there of indices, indexes_in_whole")
-      ->type_name("NAME")->group(group);
+    m_app
+      .add_option("--indices-dataset", m_options.input.indices_dataset,
+                  "The data set or array that says where the points of patches are in the cloud; otherwise the "
+                  "first that is there of indices, indexes_in_whole")
+      ->type_name("NAME")
+      ->group(group);
     add_boolean("--use-indices", m_options.input.use_indices,
                 "Whether points of patches are the same by their indices, if there are any, or else by their "
-                "positions", group);
+                "positions",
+                group);
     add_boolean("--skip-invalid", m_options.input.skip_invalid,
                 "Leave out points with a number that is not finite, or a negative distance", group);
   }
@@ -152,13 +179,16 @@ private:
   {
     const std::string group = "Many clouds";
     Batch_options& batch = m_options.batch;
-    CLI::Option* const list = m_app.add_option("--batch", batch.list,
-                     "Instead of CLOUD: a text that names one cloud per line (- is the standard input), relative to "
-                     "its own folder; empty lines and lines that start with # do not count. Every cloud gets a process of "
-                     "its own, so that whatever happens to one, the others go on")
-      ->type_name("LIST")->group(group);
-    const auto add = [&](const char* name, auto& value, const char* type, const char* description)
-    {
+    CLI::Option* const list =
+      m_app
+        .add_option(
+          "--batch", batch.list,
+          "Instead of CLOUD: a text that names one cloud per line (- is the standard input), relative to "
+          "its own folder; empty lines and lines that start with # do not count. Every cloud gets a process of "
+          "its own, so that whatever happens to one, the others go on")
+        ->type_name("LIST")
+        ->group(group);
+    const auto add = [&](const char* name, auto& value, const char* type, const char* description) {
       return m_app.add_option(name, value, description)->type_name(type)->needs(list)->group(group);
     };
     add("--output-dir", batch.output_folder, "DIR",
@@ -166,7 +196,8 @@ private:
         "there is skipped, unless the cloud or the options have changed");
     add("--format", batch.formats, "EXTENSION",
         "What is written, as often as needed: the extension of an OUT; json if not given")
-      ->take_all()->allow_extra_args(false);
+      ->take_all()
+      ->allow_extra_args(false);
     add("--input-dir", batch.input_folder, "DIR",
         "Where relative names in LIST start, and paths in the output folder; otherwise the folder of LIST, or for - "
         "the current one");
@@ -174,7 +205,8 @@ private:
         "The table with a row per cloud, as CSV; otherwise summary.csv in the output folder");
     add_checked("--jobs", batch.number_of_jobs, 1, 1024,
                 "How many clouds at once; otherwise as many as there are processors. --threads counts for each of "
-                "them, and is such that they share the processors unless given", group)
+                "them, and is such that they share the processors unless given",
+                group)
       ->needs(list);
     add_number("--timeout", batch.time_limit, 0., 1e8, false, "A cloud that takes longer fails, in seconds", group,
                false)
@@ -192,31 +224,33 @@ private:
   void check_clouds() const
   {
     const Input& input = m_options.input;
-    for(const std::string& file : input.files)
-      for(const char* const value : { "true", "false" })
-        if(CGAL::IO::internal::to_lower(file) == value)
-          throw CLI::ValidationError("CLOUD", "\"" + file + "\" is no cloud; true and false stand right behind their "
-                                              "option, as in --quiet true");
-    if(input.files.size() > 1 && !input.are_patches)
+    for (const std::string& file : input.files)
+      for (const char* const value : {"true", "false"})
+        if (CGAL::IO::internal::to_lower(file) == value)
+          throw CLI::ValidationError("CLOUD",
+                                     "\"" + file
+                                       + "\" is no cloud; true and false stand right behind their "
+                                         "option, as in --quiet true");
+    if (input.files.size() > 1 && !input.are_patches)
       throw CLI::ExtrasError("extract_wireframe", {input.files[1] + " (several clouds are read as --patches of one)"});
-    if(input.are_patches && input.has_distances)
+    if (input.are_patches && input.has_distances)
       throw CLI::ExcludesError("--patches", "--distances");
   }
 
   void check_files_are_given() const
   {
-    if(m_app.count("CLOUD") == 0)
+    if (m_app.count("CLOUD") == 0)
       throw CLI::RequiredError("CLOUD");
-    if(m_app.count("--output") == 0 && m_app.count("--html") == 0 && m_app.count("--png") == 0)
+    if (m_app.count("--output") == 0 && m_app.count("--html") == 0 && m_app.count("--png") == 0)
       throw CLI::RequiredError("--output (or --html, or --png)");
   }
 
   void complete_batch()
   {
-    for(const char* const name : { "CLOUD", "--output", "--html", "--png", "--stages", "--distances" })
-      if(m_app.count(name) > 0)
+    for (const char* const name : {"CLOUD", "--output", "--html", "--png", "--stages", "--distances"})
+      if (m_app.count(name) > 0)
         throw CLI::ExcludesError("--batch", name);
-    if(m_options.batch.output_folder.empty())
+    if (m_options.batch.output_folder.empty())
       throw CLI::RequiredError("--batch: --output-dir");
     complete_formats(m_options.batch.formats);
     m_options.batch.is_quiet = m_options.is_quiet;
@@ -225,13 +259,13 @@ private:
 
   static void complete_formats(std::vector<std::string>& formats)
   {
-    if(formats.empty())
-      formats = { "json" };
-    for(std::string& format : formats)
+    if (formats.empty())
+      formats = {"json"};
+    for (std::string& format : formats)
       format.erase(0, format.find_first_not_of('.')); // .json is as good as json
-    for(std::size_t i = 0; i < formats.size(); ++i)
-      for(std::size_t j = 0; j < i; ++j)
-        if(formats[i] == formats[j])
+    for (std::size_t i = 0; i < formats.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (formats[i] == formats[j])
           throw CLI::ValidationError("--format: " + formats[i] + " is given twice");
   }
 
@@ -239,15 +273,15 @@ private:
   std::string settings() const
   {
     std::string text = "version " WIREFRAME_EXTRACTION_VERSION_STRING;
-    for(const CLI::Option* const option : m_app.get_options())
+    for (const CLI::Option* const option : m_app.get_options())
     {
       const bool is_of_run = option->get_group() == "Many clouds" || option->get_group() == "Run";
-      if(option->count() == 0 || (is_of_run && option->get_name() != "--paper"))
+      if (option->count() == 0 || (is_of_run && option->get_name() != "--paper"))
         continue;
       std::string value;
-      for(const std::string& word : option->results())
+      for (const std::string& word : option->results())
         value += " " + word;
-      if(value != " " + option->get_default_str())
+      if (value != " " + option->get_default_str())
         text += " " + option->get_name() + value;
     }
     return text;
@@ -259,17 +293,19 @@ private:
     add_boolean("--paper", m_options.is_paper,
                 "Start from the behaviour published in arXiv 2107.06165 instead of the defaults shown "
                 "here; other options count on top of it. All curves are splines then, unless "
-                "--recognize-types is given", group);
+                "--recognize-types is given",
+                group);
     add_checked("--threads", m_options.number_of_threads, 1, 1024, "Use at most this many threads", group)
       ->type_name("N");
-    add_checked("--points-in-memory", m_options.points_in_memory, 1, 99999999,
-                "A larger CLOUD stays in its file, which is then read up to five times, and only what lies near features is "
-                "kept; the result is the same", group)
+    add_checked(
+      "--points-in-memory", m_options.points_in_memory, 1, 99999999,
+      "A larger CLOUD stays in its file, which is then read up to five times, and only what lies near features is "
+      "kept; the result is the same",
+      group)
       ->capture_default_str();
     add_boolean("--quiet", m_options.is_quiet, "Print nothing but errors", group);
     m_app.set_help_flag("-h,--help", "Print this help")->group(group);
-    m_app.set_version_flag("--version", "extract_wireframe " WIREFRAME_EXTRACTION_VERSION_STRING,
-                           "Print the version")
+    m_app.set_version_flag("--version", "extract_wireframe " WIREFRAME_EXTRACTION_VERSION_STRING, "Print the version")
       ->group(group);
   }
 
@@ -287,8 +323,7 @@ private:
                "Points with a smaller distance support the fits, in r", group);
     add_number("--fitting-radius", extraction.fitting_radius, 0., infinity, false,
                "Radius of the balls in which curves are fitted to the field, in r", group);
-    add_boolean("--use-creases", extraction.use_creases,
-                "Whether creases of the surface correct the field", group);
+    add_boolean("--use-creases", extraction.use_creases, "Whether creases of the surface correct the field", group);
   }
 
   void add_corners()
@@ -299,8 +334,7 @@ private:
     add_choice("--corner-measure", extraction.corner_measure,
                {{"field-residual", wireframe::Corner_measure::FIELD_RESIDUAL},
                 {"variance", wireframe::Corner_measure::VARIANCE}},
-               "What tells a corner: the residual of a fit to the field, or the variance of the points",
-               group);
+               "What tells a corner: the residual of a fit to the field, or the variance of the points", group);
     add_number("--corner-sampling-ratio", extraction.corner_sampling_ratio, 0., 1., false,
                "Share of the skeleton at which corners are looked for", group);
     add_number("--corner-radius", extraction.corner_radius, 0., infinity, false,
@@ -309,7 +343,8 @@ private:
                "Explained variance ratio above which a ball holds a corner, for variance", group);
     add_number("--corner-residual", extraction.corner_residual, 0., infinity, false,
                "Residual above which a ball holds a corner, for field-residual, in r; follows from the noise "
-               "if not given", group, false);
+               "if not given",
+               group, false);
   }
 
   void add_curves()
@@ -329,8 +364,7 @@ private:
     const std::string group = "Topological graph";
     Extraction_options& extraction = m_options.extraction;
     add_choice("--graph-method", extraction.graph_method,
-               {{"traced", wireframe::Graph_method::TRACED},
-                {"subdivided", wireframe::Graph_method::SUBDIVIDED}},
+               {{"traced", wireframe::Graph_method::TRACED}, {"subdivided", wireframe::Graph_method::SUBDIVIDED}},
                "Trace curves through the field, or subdivide a polyline per cluster", group);
     add_choice("--end-detection", extraction.end_detection,
                {{"graph-distance", wireframe::End_detection::GRAPH_DISTANCE},
@@ -352,12 +386,9 @@ private:
   {
     const std::string group = "Fit";
     Extraction_options& extraction = m_options.extraction;
-    add_boolean("--use-robust-loss", extraction.use_robust_loss,
-                "Whether outliers of the field count less", group);
-    add_boolean("--move-corners", extraction.move_corners,
-                "Whether corners move to where curves meet", group);
-    add_boolean("--adapt-knots", extraction.adapt_knots,
-                "Whether knots are added where residuals ask for them", group);
+    add_boolean("--use-robust-loss", extraction.use_robust_loss, "Whether outliers of the field count less", group);
+    add_boolean("--move-corners", extraction.move_corners, "Whether corners move to where curves meet", group);
+    add_boolean("--adapt-knots", extraction.adapt_knots, "Whether knots are added where residuals ask for them", group);
     add_checked("--number-of-rounds", extraction.number_of_rounds, 1, 1000,
                 "Rounds of the fit, each with new foot points", group)
       ->capture_default_str();
@@ -374,7 +405,8 @@ private:
                "Share of true lines, circles and ellipses that may be taken for splines", group);
     add_boolean("--regularize", extraction.regularize,
                 "Make radii equal, circles coaxial, and directions parallel or orthogonal, where the field agrees; "
-                "what was changed is printed", group);
+                "what was changed is printed",
+                group);
   }
 
   Options& m_options;

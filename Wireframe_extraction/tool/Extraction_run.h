@@ -18,9 +18,9 @@
 #include "write_page.h"
 #include "write_picture.h"
 
-#include <CGAL/extract_wireframe.h>
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
+#include <CGAL/extract_wireframe.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -57,7 +57,7 @@ public:
   {
     check_that_files_differ(m_options);
     m_outputs.check();
-    if(m_options.has_stages)
+    if (m_options.has_stages)
       throw_if(m_folder.make(m_options.stages_folder), USAGE_ERROR);
     limit_threads();
     Progress progress(!m_options.is_quiet && is_error_stream_terminal());
@@ -69,19 +69,19 @@ public:
     throw_if(with_option_names(cloud->error_message()), BAD_INPUT);
     throw_if_failed(wireframe);
     m_number_of_skipped = cloud->number_of_skipped();
-    if(!cloud->note().empty())
+    if (!cloud->note().empty())
       m_notes.push_back(cloud->note());
     const auto begin = Clock::now();
     m_seconds.insert(m_seconds.begin(), m_report.seconds.begin(), m_report.seconds.end());
     m_seconds.front().second += m_seconds_of_opening;
     Cloud shown;
-    if((m_options.has_html || m_options.has_png) && !sample(*cloud, shown))
+    if ((m_options.has_html || m_options.has_png) && !sample(*cloud, shown))
       throw Error(BAD_INPUT, with_option_names(cloud->error_message()));
     m_outputs.write(wireframe, pictures(shown, stages, wireframe));
     m_seconds.emplace_back("writing", seconds_since(begin));
     progress.clear();
     m_number_of_curves = wireframe.curves.size();
-    if(!m_options.is_quiet)
+    if (!m_options.is_quiet)
       summarize(wireframe, stages);
   }
 
@@ -93,7 +93,7 @@ public:
     result.number_of_curves = m_number_of_curves;
     result.number_of_corners = m_report.number_of_corners;
     result.sampling_distance = m_report.sampling_distance;
-    for(const std::string& warning : m_report.warnings)
+    for (const std::string& warning : m_report.warnings)
       result.warnings.push_back(m_command_line.with_option_names(warning));
     return result;
   }
@@ -108,19 +108,19 @@ private:
 
   static void throw_if(const std::string& error, Exit_code code)
   {
-    if(!error.empty())
+    if (!error.empty())
       throw Error(code, error);
   }
 
   void limit_threads()
   {
-    if(m_options.number_of_threads == 0)
+    if (m_options.number_of_threads == 0)
       return;
 #ifdef CGAL_LINKED_WITH_TBB
-    m_thread_limit = std::make_unique<tbb::global_control>(
-      tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(m_options.number_of_threads));
+    m_thread_limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                           static_cast<std::size_t>(m_options.number_of_threads));
 #else
-    if(m_options.number_of_threads > 1)
+    if (m_options.number_of_threads > 1)
       m_notes.push_back("--threads has no effect: the tool was built without TBB and uses one thread");
 #endif
   }
@@ -139,8 +139,8 @@ private:
   std::string with_option_names(const std::string& text) const
   {
     std::size_t size = 0;
-    for(const std::string& name : m_options.input.files)
-      if(text.compare(0, name.size(), name) == 0)
+    for (const std::string& name : m_options.input.files)
+      if (text.compare(0, name.size(), name) == 0)
         size = (std::max)(size, name.size());
     return text.substr(0, size) + m_command_line.with_option_names(text.substr(size));
   }
@@ -151,19 +151,19 @@ private:
     const Extraction_options& options = m_options.extraction;
     Stage_visitor visitor(progress, stages);
     bool is_read = false;
-    const std::function<bool(double)> callback = [&, this](double share)
-    {
-      if(!is_read) // the first call comes once the cloud is known to be usable
+    const std::function<bool(double)> callback = [&, this](double share) {
+      if (!is_read) // the first call comes once the cloud is known to be usable
       {
         is_read = true;
-        if(m_options.has_stages)
+        if (m_options.has_stages)
           m_folder.remove_old_files();
         progress.start("estimating the sampling distance");
       }
       progress.set(share);
       return stages.error().empty();
     };
-    return CGAL::extract_wireframe_from_source<Kernel>(cloud,
+    return CGAL::extract_wireframe_from_source<Kernel>(
+      cloud,
       parameters::sampling_distance(m_options.sampling_distance)
         .points_in_memory(static_cast<std::size_t>(m_options.points_in_memory))
         .noise_level(options.noise_level)
@@ -201,19 +201,20 @@ private:
 
   void throw_if_failed(const Wireframe& wireframe) const
   {
-    if(m_report.status == Report::Status::SUCCESS && !wireframe.is_empty())
+    if (m_report.status == Report::Status::SUCCESS && !wireframe.is_empty())
       return;
     std::string text = m_report.message;
-    for(const std::string& warning : m_report.warnings)
+    for (const std::string& warning : m_report.warnings)
       text += "; " + warning;
     text = m_options.input.files.front() + ": " + m_command_line.with_option_names(text);
-    if(m_report.status == Report::Status::INVALID_INPUT)
+    if (m_report.status == Report::Status::INVALID_INPUT)
       throw Error(BAD_INPUT, text);
-    if(m_report.status != Report::Status::NO_FEATURE)
+    if (m_report.status != Report::Status::NO_FEATURE)
       throw Error(INTERNAL_ERROR, text);
-    throw Error(NO_FEATURE, text + (m_report.skeleton_size == 0
-                                      ? "; --skeleton-distance sets the threshold"
-                                      : "; --stages DIR shows what the stages found"));
+    throw Error(NO_FEATURE,
+                text
+                  + (m_report.skeleton_size == 0 ? "; --skeleton-distance sets the threshold"
+                                                 : "; --stages DIR shows what the stages found"));
   }
 
   Summary summary(const Wireframe& wireframe) const
@@ -225,9 +226,9 @@ private:
   std::vector<std::string> remarks() const
   {
     std::vector<std::string> texts;
-    for(const std::string& note : m_notes)
+    for (const std::string& note : m_notes)
       texts.push_back("Note: " + note);
-    for(const std::string& warning : m_report.warnings)
+    for (const std::string& warning : m_report.warnings)
       texts.push_back("Warning: " + m_command_line.with_option_names(warning));
     return texts;
   }
@@ -235,16 +236,14 @@ private:
   std::vector<Picture> pictures(const Cloud& cloud, const Stage_recorder& stages, const Wireframe& wireframe) const
   {
     std::vector<Picture> result;
-    if(m_options.has_html)
-      result.push_back({ m_options.html, [this, &cloud, &stages, &wireframe](std::ostream& stream, std::string& error)
-      {
-        return write_page(stream, page_texts(wireframe), cloud, stages.stages(), wireframe, error);
-      } });
-    if(m_options.has_png)
-      result.push_back({ m_options.png, [this, &cloud, &wireframe](std::ostream& stream, std::string& error)
-      {
-        return write_picture(stream, m_options.view, cloud, wireframe, error);
-      } });
+    if (m_options.has_html)
+      result.push_back({m_options.html, [this, &cloud, &stages, &wireframe](std::ostream& stream, std::string& error) {
+                          return write_page(stream, page_texts(wireframe), cloud, stages.stages(), wireframe, error);
+                        }});
+    if (m_options.has_png)
+      result.push_back({m_options.png, [this, &cloud, &wireframe](std::ostream& stream, std::string& error) {
+                          return write_picture(stream, m_options.view, cloud, wireframe, error);
+                        }});
     return result;
   }
 
@@ -253,7 +252,7 @@ private:
     Page_texts texts;
     const std::vector<std::string>& files = m_options.input.files;
     texts.title = std::filesystem::path(files.front()).filename().string()
-                  + (files.size() > 1 ? " and " + std::to_string(files.size() - 1) + " more" : "");
+      + (files.size() > 1 ? " and " + std::to_string(files.size() - 1) + " more" : "");
     texts.unit = CGAL::IO::internal::symbol_of(m_options.unit);
     texts.program = "extract_wireframe " WIREFRAME_EXTRACTION_VERSION_STRING;
     texts.summary = summary(wireframe);
@@ -266,13 +265,13 @@ private:
   void summarize(const Wireframe& wireframe, const Stage_recorder& stages) const
   {
     std::vector<std::string> files = m_options.outputs;
-    if(m_options.has_html)
+    if (m_options.has_html)
       files.push_back(m_options.html);
-    if(m_options.has_png)
+    if (m_options.has_png)
       files.push_back(m_options.png);
     files.insert(files.end(), stages.written_files().begin(), stages.written_files().end());
     print_summary(std::cout, summary(wireframe), m_seconds, files);
-    for(const std::string& remark : remarks())
+    for (const std::string& remark : remarks())
       std::cout << remark << '\n';
   }
 
@@ -283,7 +282,7 @@ private:
   Report m_report;
   std::size_t m_number_of_skipped = 0, m_number_of_curves = 0;
   double m_seconds_of_opening = 0.;
-  std::vector<std::pair<std::string, double> > m_seconds;
+  std::vector<std::pair<std::string, double>> m_seconds;
   std::vector<std::string> m_notes;
 #ifdef CGAL_LINKED_WITH_TBB
   std::unique_ptr<tbb::global_control> m_thread_limit;

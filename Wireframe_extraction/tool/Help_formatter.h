@@ -18,13 +18,13 @@ public:
   std::string make_option(const CLI::Option* option, bool is_positional) const override
   {
     std::string text = "  " + make_option_name(option, is_positional);
-    if(!option->get_type_name().empty())
+    if (!option->get_type_name().empty())
       text += " " + option->get_type_name();
     std::string line = text + std::string(text.size() < indent - 1 ? indent - text.size() : indent, ' ');
-    if(text.size() >= indent - 1)
+    if (text.size() >= indent - 1)
       line.insert(text.size(), "\n");
     std::string description = option->get_description();
-    if(!option->get_default_str().empty())
+    if (!option->get_default_str().empty())
       description += " [" + option->get_default_str() + "]";
     return line + wrapped(description) + "\n";
   }
@@ -35,14 +35,14 @@ private:
     std::string result;
     std::size_t column = indent;
     std::istringstream words(description);
-    for(std::string word; words >> word; column += word.size() + 1)
+    for (std::string word; words >> word; column += word.size() + 1)
     {
-      if(column + word.size() > 100)
+      if (column + word.size() > 100)
       {
         result += "\n" + std::string(indent, ' ');
         column = indent;
       }
-      else if(!result.empty())
+      else if (!result.empty())
         result += " ";
       result += word;
     }

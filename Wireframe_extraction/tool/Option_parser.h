@@ -38,19 +38,19 @@ public:
   std::vector<Parameter> parameters() const
   {
     std::vector<Parameter> result;
-    for(const auto& parameter : m_parameters)
-      if(parameter.first->get_group() != "Files")
-        result.push_back({ parameter.first->get_group(), parameter.first->get_name(), parameter.second(),
-                           parameter.first->count() > 0 });
+    for (const auto& parameter : m_parameters)
+      if (parameter.first->get_group() != "Files")
+        result.push_back({parameter.first->get_group(), parameter.first->get_name(), parameter.second(),
+                          parameter.first->count() > 0});
     return result;
   }
 
   // The library speaks of its named parameters, the user of the tool knows them as options.
   std::string with_option_names(std::string text) const
   {
-    for(const CLI::Option* const option : m_app.get_options())
-      for(const std::string& name : option->get_lnames())
-        if(name.find('-') != std::string::npos)
+    for (const CLI::Option* const option : m_app.get_options())
+      for (const std::string& name : option->get_lnames())
+        if (name.find('-') != std::string::npos)
           replace_words(text, with_underscores(name), "--" + name);
     return text;
   }
@@ -64,11 +64,11 @@ protected:
   {
     std::vector<std::string> words;
     bool may_be_option = true;
-    for(int i = 1; i < argc; ++i)
+    for (int i = 1; i < argc; ++i)
     {
       words.push_back(argv[i]);
       may_be_option = may_be_option && words.back() != "--";
-      if(!may_be_option || m_booleans.count(words.back()) == 0)
+      if (!may_be_option || m_booleans.count(words.back()) == 0)
         continue;
       const std::string next = i + 1 < argc ? argv[i + 1] : "";
       const bool has_value = next == "true" || next == "false";
@@ -80,43 +80,41 @@ protected:
   }
 
   CLI::Option* add_number(const std::string& name, double& value, double least, double most, bool is_least_allowed,
-                  const std::string& description, const std::string& group, bool has_default = true)
+                          const std::string& description, const std::string& group, bool has_default = true)
   {
     // CLI11's own checks let through what is not a number, and infinities
-    const auto check = [=](const std::string& text)
-    {
+    const auto check = [=](const std::string& text) {
       double x = 0.;
       const bool is_number = CLI::detail::lexical_cast(text, x) && std::isfinite(x);
-      if(is_number && (x > least || (is_least_allowed && x == least)) && x <= most)
+      if (is_number && (x > least || (is_least_allowed && x == least)) && x <= most)
         return std::string();
       return "\"" + text + "\" is not a number " + (is_least_allowed ? "from " : "above ") + to_text(least)
-             + (most != infinity ? " to " + to_text(most) : is_least_allowed ? " on" : "");
+        + (most != infinity     ? " to " + to_text(most)
+             : is_least_allowed ? " on"
+                                : "");
     };
-    CLI::Option* const option = m_app.add_option(name, value, description)
-      ->check(CLI::Validator(check, ""))->type_name("NUMBER")->group(group);
-    if(has_default)
+    CLI::Option* const option =
+      m_app.add_option(name, value, description)->check(CLI::Validator(check, ""))->type_name("NUMBER")->group(group);
+    if (has_default)
       option->default_str(to_text(value));
-    add_parameter(option, [&value, has_default, option]
-    {
+    add_parameter(option, [&value, has_default, option] {
       return has_default || option->count() > 0 ? to_text(value) : std::string("from the cloud");
     });
     return option;
   }
 
-  CLI::Option* add_checked(const std::string& name, int& value, int least, int most,
-                           const std::string& description, const std::string& group)
+  CLI::Option* add_checked(const std::string& name, int& value, int least, int most, const std::string& description,
+                           const std::string& group)
   {
-    const auto check = [=](const std::string& text)
-    {
+    const auto check = [=](const std::string& text) {
       int x = 0;
       const bool is_digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-      if(is_digits && text.size() < 9 && CLI::detail::lexical_cast(text, x) && x >= least && x <= most)
+      if (is_digits && text.size() < 9 && CLI::detail::lexical_cast(text, x) && x >= least && x <= most)
         return std::string();
-      return "\"" + text + "\" is not a whole number from " + std::to_string(least) + " to "
-             + std::to_string(most);
+      return "\"" + text + "\" is not a whole number from " + std::to_string(least) + " to " + std::to_string(most);
     };
-    CLI::Option* const option = m_app.add_option(name, value, description)
-      ->check(CLI::Validator(check, ""))->type_name("NUMBER")->group(group);
+    CLI::Option* const option =
+      m_app.add_option(name, value, description)->check(CLI::Validator(check, ""))->type_name("NUMBER")->group(group);
     add_parameter(option, [&value] { return value > 0 ? std::to_string(value) : std::string("as many as there are"); });
     return option;
   }
@@ -131,38 +129,38 @@ protected:
 
   template <class Value>
   CLI::Option* add_choice(const std::string& name, Value& value,
-                  std::initializer_list<std::pair<const char*, Value> > choices,
-                  const std::string& description, const std::string& group)
+                          std::initializer_list<std::pair<const char*, Value>> choices, const std::string& description,
+                          const std::string& group)
   {
-    const std::vector<std::pair<std::string, Value> > known(choices.begin(), choices.end());
+    const std::vector<std::pair<std::string, Value>> known(choices.begin(), choices.end());
     std::vector<std::string> names;
     std::string names_text, name_of_default;
-    for(const auto& choice : known)
+    for (const auto& choice : known)
     {
       names.push_back(choice.first);
       names_text += (names_text.empty() ? "" : "|") + choice.first;
-      if(choice.second == value)
+      if (choice.second == value)
         name_of_default = choice.first;
     }
-    const std::function<void(const std::string&)> set = [&value, known](const std::string& text)
-    {
-      for(const auto& choice : known)
-        if(choice.first == text)
+    const std::function<void(const std::string&)> set = [&value, known](const std::string& text) {
+      for (const auto& choice : known)
+        if (choice.first == text)
           value = choice.second;
     };
-    const auto check = [names_text, names](const std::string& text)
-    {
-      for(const std::string& known_name : names)
-        if(known_name == text)
+    const auto check = [names_text, names](const std::string& text) {
+      for (const std::string& known_name : names)
+        if (known_name == text)
           return std::string();
       return "\"" + text + "\" is not one of " + names_text;
     };
     CLI::Option* const option = m_app.add_option_function<std::string>(name, set, description)
-      ->check(CLI::Validator(check, ""))->type_name(names_text)->default_str(name_of_default)->group(group);
-    add_parameter(option, [&value, known]
-    {
-      for(const auto& choice : known)
-        if(choice.second == value)
+                                  ->check(CLI::Validator(check, ""))
+                                  ->type_name(names_text)
+                                  ->default_str(name_of_default)
+                                  ->group(group);
+    add_parameter(option, [&value, known] {
+      for (const auto& choice : known)
+        if (choice.second == value)
           return choice.first;
       return std::string();
     });
@@ -187,35 +185,32 @@ protected:
 private:
   static std::string with_underscores(std::string name)
   {
-    for(char& c : name)
+    for (char& c : name)
       c = (c == '-') ? '_' : c;
     return name;
   }
 
-  static bool is_part_of_word(char c)
-  {
-    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-  }
+  static bool is_part_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
   static void replace_words(std::string& text, const std::string& word, const std::string& replacement)
   {
-    for(std::size_t i = text.find(word); i != std::string::npos; i = text.find(word, i))
+    for (std::size_t i = text.find(word); i != std::string::npos; i = text.find(word, i))
     {
       const std::size_t end = i + word.size();
-      const bool is_word = (i == 0 || !is_part_of_word(text[i - 1]))
-                           && (end == text.size() || !is_part_of_word(text[end]));
+      const bool is_word =
+        (i == 0 || !is_part_of_word(text[i - 1])) && (end == text.size() || !is_part_of_word(text[end]));
       // a call, or one that says true, is but the name on a command line
       std::size_t length = word.size();
-      for(const std::string arguments : { "()", "(true)" })
+      for (const std::string arguments : {"()", "(true)"})
         length += text.compare(end, arguments.size(), arguments) == 0 ? arguments.size() : 0;
-      if(is_word)
+      if (is_word)
         text.replace(i, length, replacement);
       i = is_word ? i + replacement.size() : end;
     }
   }
 
   std::set<std::string> m_booleans; // names of options
-  std::vector<std::pair<const CLI::Option*, std::function<std::string()> > > m_parameters;
+  std::vector<std::pair<const CLI::Option*, std::function<std::string()>>> m_parameters;
 };
 
 } // namespace tool

@@ -26,11 +26,11 @@ struct Options
   std::string stages_folder;
   std::vector<std::string> outputs;
   std::string html, png;
-  View view = View::ISOMETRIC;   // of the picture
+  View view = View::ISOMETRIC; // of the picture
   bool has_stages = false, has_batch = false, has_html = false, has_png = false, is_paper = false, is_quiet = false;
-  int number_of_threads = 0;      // 0: as many as there are
+  int number_of_threads = 0; // 0: as many as there are
   int points_in_memory = 1 << 20;
-  double sampling_distance = 0.;  // 0: to be estimated
+  double sampling_distance = 0.; // 0: to be estimated
   Length_unit unit = Length_unit::MILLIMETER;
   Step_schema step_schema = Step_schema::AP214;
   bool has_obj_splines = false;

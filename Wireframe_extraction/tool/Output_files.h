@@ -43,23 +43,23 @@ public:
   // throws what would make writing fail, before any work is done
   void check() const
   {
-    for(const std::string& name : m_names)
+    for (const std::string& name : m_names)
     {
-      if(name.empty())
+      if (name.empty())
         throw Error(USAGE_ERROR, "the name of an output file is empty");
       check_extension(name);
       check_writable(name);
     }
-    if(m_options.has_html)
+    if (m_options.has_html)
       check_page();
-    if(m_options.has_png)
+    if (m_options.has_png)
       check_picture();
   }
 
   static void check_extension(const std::string& name)
   {
     const std::string extension = CGAL::IO::internal::lower_extension(name);
-    if(!has_format(extension))
+    if (!has_format(extension))
       throw Error(USAGE_ERROR, name + ": " + why_unknown(extension));
   }
 
@@ -67,50 +67,55 @@ public:
   void write(const Wireframe& wireframe, const std::vector<Picture>& pictures) const
   {
     std::vector<Picture> files;
-    for(const std::string& name : m_names)
-      files.push_back({ name, [this, &name, &wireframe](std::ostream& stream, std::string& error)
-      {
-        return write_in_format(CGAL::IO::internal::lower_extension(name), stream, wireframe, m_options, error);
-      } });
+    for (const std::string& name : m_names)
+      files.push_back({name, [this, &name, &wireframe](std::ostream& stream, std::string& error) {
+                         return write_in_format(CGAL::IO::internal::lower_extension(name), stream, wireframe, m_options,
+                                                error);
+                       }});
     files.insert(files.end(), pictures.begin(), pictures.end());
     std::string error;
-    if(!write_from(0, files, error))
+    if (!write_from(0, files, error))
       throw Error(INTERNAL_ERROR, error);
   }
 
 private:
   static std::string why_unknown(const std::string& extension)
   {
-    if(CGAL::IO::internal::is_cad_extension(extension))
+    if (CGAL::IO::internal::is_cad_extension(extension))
       return "this extract_wireframe was built without OpenCASCADE, which " + extension
-             + " needs; install it (Debian: libocct-data-exchange-dev) and build again";
-    if(extension == ".html" || extension == ".png")
+        + " needs; install it (Debian: libocct-data-exchange-dev) and build again";
+    if (extension == ".html" || extension == ".png")
       return "it shows the cloud, too; write it with --" + extension.substr(1) + " OUT" + extension;
-    return std::string("unknown extension of a wireframe; known are ") + CGAL::IO::internal::known_wireframe_extensions();
+    return std::string("unknown extension of a wireframe; known are ")
+      + CGAL::IO::internal::known_wireframe_extensions();
   }
 
   void check_page() const
   {
-    if(m_options.html.empty())
+    if (m_options.html.empty())
       throw Error(USAGE_ERROR, "the name of the page is empty; give --html OUT.html");
     const std::string extension = CGAL::IO::internal::lower_extension(m_options.html);
-    if(extension != ".html" && extension != ".htm")
+    if (extension != ".html" && extension != ".htm")
       throw Error(USAGE_ERROR, m_options.html + ": a page is written into .html; give --html OUT.html");
-    if(!has_viewer())
-      throw Error(USAGE_ERROR, m_options.html + ": this extract_wireframe was built without the viewer that --html "
-                               "needs; install npm (Debian: npm), configure and build again");
+    if (!has_viewer())
+      throw Error(USAGE_ERROR,
+                  m_options.html
+                    + ": this extract_wireframe was built without the viewer that --html "
+                      "needs; install npm (Debian: npm), configure and build again");
     check_writable(m_options.html);
   }
 
   void check_picture() const
   {
-    if(m_options.png.empty())
+    if (m_options.png.empty())
       throw Error(USAGE_ERROR, "the name of the picture is empty; give --png OUT.png");
-    if(CGAL::IO::internal::lower_extension(m_options.png) != ".png")
+    if (CGAL::IO::internal::lower_extension(m_options.png) != ".png")
       throw Error(USAGE_ERROR, m_options.png + ": a picture is written into .png; give --png OUT.png");
-    if(!has_png())
-      throw Error(USAGE_ERROR, m_options.png + ": this extract_wireframe was built without libpng, which --png needs; "
-                               "install it (Debian: libpng-dev) and build again");
+    if (!has_png())
+      throw Error(USAGE_ERROR,
+                  m_options.png
+                    + ": this extract_wireframe was built without libpng, which --png needs; "
+                      "install it (Debian: libpng-dev) and build again");
     check_writable(m_options.png);
   }
 
@@ -119,40 +124,42 @@ private:
     namespace fs = std::filesystem;
     std::error_code code;
     const fs::file_status status = fs::status(name, code);
-    if(fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
+    if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
       return; // looking at a device or pipe would already do something to it
     const fs::path folder = fs::absolute(name, code).parent_path();
-    if(!fs::is_directory(folder, code))
-      throw Error(USAGE_ERROR, name + ": cannot be written, there is no folder " + folder.string()
-                               + "; make it first");
+    if (!fs::is_directory(folder, code))
+      throw Error(USAGE_ERROR, name + ": cannot be written, there is no folder " + folder.string() + "; make it first");
     // a writer that gives up leaves everything as it was
     std::string error;
     bool is_writable = false;
-    CGAL::IO::internal::write_beside_and_rename(name, [&is_writable](std::ostream&, std::string& reason)
-    {
-      is_writable = true;
-      reason = "only a trial";
-      return false;
-    }, error);
-    if(!is_writable)
+    CGAL::IO::internal::write_beside_and_rename(
+      name,
+      [&is_writable](std::ostream&, std::string& reason) {
+        is_writable = true;
+        reason = "only a trial";
+        return false;
+      },
+      error);
+    if (!is_writable)
       throw Error(USAGE_ERROR, error);
   }
 
   static bool write_from(std::size_t first, const std::vector<Picture>& files, std::string& error)
   {
-    if(first == files.size())
+    if (first == files.size())
       return true;
     std::string own_error;
-    const bool is_written = CGAL::IO::internal::write_beside_and_rename(files[first].name,
-      [&](std::ostream& stream, std::string& reason)
-      {
-        if(files[first].write(stream, reason))
+    const bool is_written = CGAL::IO::internal::write_beside_and_rename(
+      files[first].name,
+      [&](std::ostream& stream, std::string& reason) {
+        if (files[first].write(stream, reason))
           return write_from(first + 1, files, error);
-        if(!stream)
+        if (!stream)
           reason.clear(); // the system knows better why the stream takes nothing
         return false;
-      }, own_error);
-    if(error.empty())
+      },
+      own_error);
+    if (error.empty())
       error = own_error;
     return is_written;
   }
@@ -166,27 +173,26 @@ inline void check_that_files_differ(const Options& options)
 {
   namespace fs = std::filesystem;
   std::map<fs::path, std::string> names;
-  const auto add = [&names](const std::string& name, bool is_written)
-  {
+  const auto add = [&names](const std::string& name, bool is_written) {
     std::error_code code;
     const fs::path path = fs::weakly_canonical(fs::absolute(name, code), code);
     const bool is_device = fs::exists(path, code) && !fs::is_regular_file(path, code);
-    if(!names.emplace(path, name).second && is_written && !is_device)
-      throw Error(USAGE_ERROR, name + ": is to be written, but " + names[path]
-                               + " is the same file; give different names");
+    if (!names.emplace(path, name).second && is_written && !is_device)
+      throw Error(USAGE_ERROR,
+                  name + ": is to be written, but " + names[path] + " is the same file; give different names");
   };
-  for(const std::string& name : options.input.files)
+  for (const std::string& name : options.input.files)
     add(name, false);
-  if(options.input.has_distances)
+  if (options.input.has_distances)
     add(options.input.distances, false);
-  for(const std::string& name : options.outputs)
+  for (const std::string& name : options.outputs)
     add(name, true);
-  if(options.has_html)
+  if (options.has_html)
     add(options.html, true);
-  if(options.has_png)
+  if (options.has_png)
     add(options.png, true);
-  if(options.has_stages)
-    for(const std::string& name : Stage_folder::file_names())
+  if (options.has_stages)
+    for (const std::string& name : Stage_folder::file_names())
       add((fs::path(options.stages_folder) / name).string(), true);
 }
 

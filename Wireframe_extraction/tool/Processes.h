@@ -37,8 +37,8 @@ inline volatile std::sig_atomic_t& signal_to_end()
 
 struct Process_limits
 {
-  double seconds = 0.;  // 0: none
-  int megabytes = 0;    // 0: none
+  double seconds = 0.; // 0: none
+  int megabytes = 0;   // 0: none
 };
 
 struct Ended_process
@@ -58,11 +58,11 @@ public:
   {
     sigset_t signals;
     sigemptyset(&signals);
-    for(const int signal : { SIGINT, SIGTERM, SIGHUP, SIGCHLD })
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD})
     {
       struct sigaction action = {};
       sigaction(signal, nullptr, &action);
-      if(signal == SIGHUP && action.sa_handler == SIG_IGN)
+      if (signal == SIGHUP && action.sa_handler == SIG_IGN)
         continue; // nohup
       sigaddset(&signals, signal);
       action.sa_handler = (signal == SIGCHLD) ? note_child : note_end;
@@ -84,7 +84,7 @@ public:
   std::size_t free_slot() const
   {
     std::size_t slot = 0;
-    while(slot < m_slots.size() && m_slots[slot].process != 0)
+    while (slot < m_slots.size() && m_slots[slot].process != 0)
       ++slot;
     return slot;
   }
@@ -95,16 +95,16 @@ public:
     std::fflush(nullptr); // what is in buffers is not to be written twice
     const pid_t parent = getpid();
     const pid_t process = fork();
-    if(process < 0)
-      throw Error(INTERNAL_ERROR, std::string("no process can be started: ") + std::strerror(errno)
-                                  + "; try fewer --jobs");
-    if(process == 0)
+    if (process < 0)
+      throw Error(INTERNAL_ERROR,
+                  std::string("no process can be started: ") + std::strerror(errno) + "; try fewer --jobs");
+    if (process == 0)
     {
       prepare(parent, messages);
       _exit(work());
     }
     setpgid(process, process); // here too, as it is not known who runs first
-    m_slots[slot] = Slot{ process, Clock::now(), false };
+    m_slots[slot] = Slot{process, Clock::now(), false};
     ++m_number_of_running;
   }
 
@@ -122,12 +122,12 @@ public:
 
   void end_all()
   {
-    for(const Slot& slot : m_slots)
-      if(slot.process != 0)
+    for (const Slot& slot : m_slots)
+      if (slot.process != 0)
         kill(-slot.process, SIGKILL);
-    for(Slot& slot : m_slots)
-      while(slot.process != 0)
-        if(waitpid(slot.process, nullptr, 0) >= 0 || errno != EINTR)
+    for (Slot& slot : m_slots)
+      while (slot.process != 0)
+        if (waitpid(slot.process, nullptr, 0) >= 0 || errno != EINTR)
           slot = Slot();
     m_number_of_running = 0;
   }
@@ -143,7 +143,8 @@ private:
 
     Slot() {}
     Slot(pid_t process_, Clock::time_point begin_, bool is_timed_out_)
-      : process(process_), begin(begin_), is_timed_out(is_timed_out_) {}
+      : process(process_), begin(begin_), is_timed_out(is_timed_out_)
+    {}
 
     double seconds() const { return std::chrono::duration<double>(Clock::now() - begin).count(); }
   };
@@ -157,12 +158,12 @@ private:
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
-    if(getppid() != parent)
+    if (getppid() != parent)
       _exit(INTERNAL_ERROR); // it was killed just now
-    for(const int signal : { SIGINT, SIGTERM, SIGHUP, SIGCHLD })
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD})
       std::signal(signal, SIG_DFL);
     sigprocmask(SIG_SETMASK, &m_mask, nullptr);
-    const rlimit no_core = { 0, 0 };
+    const rlimit no_core = {0, 0};
     setrlimit(RLIMIT_CORE, &no_core);
     limit_memory();
     const int null = open("/dev/null", O_RDWR);
@@ -174,10 +175,10 @@ private:
 
   void limit_memory() const
   {
-    if(m_limits.megabytes == 0)
+    if (m_limits.megabytes == 0)
       return;
     const rlim_t bytes = static_cast<rlim_t>(m_limits.megabytes) << 20;
-    const rlimit limit = { bytes, bytes };
+    const rlimit limit = {bytes, bytes};
 #ifdef __linux__
     setrlimit(RLIMIT_DATA, &limit); // not RLIMIT_AS, which counts what threads reserve and never touch
 #else
@@ -189,11 +190,11 @@ private:
   bool collect(const Done& done)
   {
     bool is_one_done = false;
-    for(std::size_t i = 0; i < m_slots.size(); ++i)
+    for (std::size_t i = 0; i < m_slots.size(); ++i)
     {
       int status = 0;
       rusage usage = {};
-      if(m_slots[i].process == 0 || wait4(m_slots[i].process, &status, WNOHANG, &usage) != m_slots[i].process)
+      if (m_slots[i].process == 0 || wait4(m_slots[i].process, &status, WNOHANG, &usage) != m_slots[i].process)
         continue;
       const Slot slot = m_slots[i];
       m_slots[i] = Slot();
@@ -226,9 +227,9 @@ private:
   // Signals that are pending or come now end it early.
   void sleep(double seconds) const
   {
-    if(m_limits.seconds > 0.)
-      for(const Slot& slot : m_slots)
-        if(slot.process != 0 && !slot.is_timed_out)
+    if (m_limits.seconds > 0.)
+      for (const Slot& slot : m_slots)
+        if (slot.process != 0 && !slot.is_timed_out)
           seconds = (std::min)(seconds, (std::max)(m_limits.seconds - slot.seconds(), 0.) + 0.001);
     timespec time;
     time.tv_sec = static_cast<time_t>(seconds);
@@ -238,10 +239,10 @@ private:
 
   void kill_late_ones()
   {
-    if(m_limits.seconds == 0.)
+    if (m_limits.seconds == 0.)
       return;
-    for(Slot& slot : m_slots)
-      if(slot.process != 0 && !slot.is_timed_out && slot.seconds() > m_limits.seconds)
+    for (Slot& slot : m_slots)
+      if (slot.process != 0 && !slot.is_timed_out && slot.seconds() > m_limits.seconds)
       {
         slot.is_timed_out = true;
         kill(-slot.process, SIGKILL);

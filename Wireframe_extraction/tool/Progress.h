@@ -40,20 +40,20 @@ public:
   void set(double share)
   {
     const int percent = static_cast<int>(100. * share);
-    if(m_percent.exchange(percent) != percent)
+    if (m_percent.exchange(percent) != percent)
       show();
   }
 
   void clear() const
   {
-    if(m_is_on)
+    if (m_is_on)
       std::fputs("\r\033[K", stderr);
   }
 
 private:
   void show() const
   {
-    if(m_is_on)
+    if (m_is_on)
       std::fprintf(stderr, "\r\033[K%3d %% %s", m_percent.load(), m_what.load());
   }
 

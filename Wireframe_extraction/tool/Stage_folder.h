@@ -16,8 +16,8 @@ class Stage_folder
 public:
   static const std::vector<std::string>& file_names()
   {
-    static const std::vector<std::string> names = { "1_skeleton.ply", "2_feet.ply", "3_corners.ply",
-                                                    "4_clusters.ply", "5_graph.ply", "6_curves.ply" };
+    static const std::vector<std::string> names = {"1_skeleton.ply", "2_feet.ply",  "3_corners.ply",
+                                                   "4_clusters.ply", "5_graph.ply", "6_curves.ply"};
     return names;
   }
 
@@ -28,7 +28,7 @@ public:
   ~Stage_folder()
   {
     std::error_code ignored; // a folder that is not empty is not removed
-    for(auto folder = m_made.rbegin(); folder != m_made.rend(); ++folder)
+    for (auto folder = m_made.rbegin(); folder != m_made.rend(); ++folder)
       std::filesystem::remove(*folder, ignored);
   }
 
@@ -36,21 +36,21 @@ public:
   std::string make(const std::string& name)
   {
     namespace fs = std::filesystem;
-    if(name.empty())
+    if (name.empty())
       return "the name of the folder for the stages is empty";
     m_path = fs::path(name);
     std::error_code code;
     std::vector<fs::path> missing;
-    for(fs::path p = fs::absolute(m_path, code).lexically_normal(); !fs::exists(p, code); p = p.parent_path())
-      if(p.has_filename())
+    for (fs::path p = fs::absolute(m_path, code).lexically_normal(); !fs::exists(p, code); p = p.parent_path())
+      if (p.has_filename())
         missing.push_back(p);
-    for(auto folder = missing.rbegin(); folder != missing.rend(); ++folder)
+    for (auto folder = missing.rbegin(); folder != missing.rend(); ++folder)
     {
-      if(!fs::create_directory(*folder, code))
+      if (!fs::create_directory(*folder, code))
         return name + ": the folder for the stages cannot be made: " + code.message();
       m_made.push_back(*folder);
     }
-    if(!fs::is_directory(m_path, code))
+    if (!fs::is_directory(m_path, code))
       return name + ": is not a folder, so the stages cannot be written there";
     return std::string();
   }
@@ -62,8 +62,8 @@ public:
   void remove_old_files() const
   {
     std::error_code ignored;
-    for(const std::string& name : file_names())
-      if(std::filesystem::is_regular_file(m_path / name, ignored))
+    for (const std::string& name : file_names())
+      if (std::filesystem::is_regular_file(m_path / name, ignored))
         std::filesystem::remove(m_path / name, ignored);
   }
 

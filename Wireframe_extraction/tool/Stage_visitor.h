@@ -16,7 +16,10 @@ public:
   Stage_visitor(Progress& progress, Stage_recorder& stages) : m_progress(progress), m_stages(stages) {}
 
   template <class FT>
-  void sampling_distance_estimated(const FT&) { m_progress.start("selecting the skeleton"); }
+  void sampling_distance_estimated(const FT&)
+  {
+    m_progress.start("selecting the skeleton");
+  }
 
   template <class Skeleton>
   void skeleton_selected(const Skeleton& skeleton)

@@ -16,16 +16,22 @@
 namespace tool {
 
 // what a row says of its cloud
-enum class Batch_status : char { PENDING, OK, SKIPPED, FAILED };
+enum class Batch_status : char
+{
+  PENDING,
+  OK,
+  SKIPPED,
+  FAILED
+};
 
 inline const char* to_text(Batch_status status)
 {
-  switch(status)
+  switch (status)
   {
-    case Batch_status::OK: return "ok";
-    case Batch_status::SKIPPED: return "skipped";
-    case Batch_status::FAILED: return "failed";
-    default: return "pending";
+  case Batch_status::OK: return "ok";
+  case Batch_status::SKIPPED: return "skipped";
+  case Batch_status::FAILED: return "failed";
+  default: return "pending";
   }
 }
 
@@ -37,10 +43,10 @@ inline const char* summary_header()
 
 inline std::string csv_field(const std::string& text)
 {
-  if(text.find_first_of(",\"\r\n") == std::string::npos)
+  if (text.find_first_of(",\"\r\n") == std::string::npos)
     return text;
   std::string result = "\"";
-  for(const char c : text)
+  for (const char c : text)
     result += (c == '"') ? std::string("\"\"") : std::string(1, c);
   return result + '"';
 }
@@ -56,7 +62,7 @@ template <class Names, class Text>
 std::string joined(const Names& names, const char* separator, const Text& text)
 {
   std::string result;
-  for(const auto& name : names)
+  for (const auto& name : names)
     result += (result.empty() ? "" : separator) + text(name);
   return result;
 }
@@ -67,20 +73,19 @@ inline void write_row(std::ostream& stream, const std::string& cloud, const std:
 {
   const Cloud_result& result = record.result;
   stream << csv_field(cloud) << ',' << to_text(status) << ',';
-  if(status == Batch_status::PENDING)
+  if (status == Batch_status::PENDING)
   {
     stream << ",,,,,,,,,,\n";
     return;
   }
   stream << result.exit_code << ',' << csv_field(result.error) << ',' << csv_number(record.seconds, "%.3f") << ','
          << csv_number(record.processor_seconds, "%.3f") << ',' << csv_number(record.peak_megabytes, "%.1f") << ',';
-  if(status == Batch_status::FAILED)
+  if (status == Batch_status::FAILED)
     stream << ",,,";
   else
     stream << result.number_of_points << ',' << csv_number(result.sampling_distance, "%.9g") << ','
            << result.number_of_curves << ',' << result.number_of_corners;
-  const auto text_of_output = [&](const std::pair<std::string, std::uintmax_t>& output)
-  {
+  const auto text_of_output = [&](const std::pair<std::string, std::uintmax_t>& output) {
     return output_name + "." + output.first;
   };
   const auto text_of_warning = [](const std::string& warning) { return warning; };

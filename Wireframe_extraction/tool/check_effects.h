@@ -20,9 +20,9 @@ namespace tool {
 inline void require(const CLI::App& app, const std::string& name, bool is_fulfilled, const std::string& what)
 {
   const CLI::Option* const option = app.get_option(name);
-  if(option->count() == 0 || is_fulfilled)
+  if (option->count() == 0 || is_fulfilled)
     return;
-  if(option->get_default_str() != "false" || option->results().back() != "false")
+  if (option->get_default_str() != "false" || option->results().back() != "false")
     throw CLI::RequiresError(name, what);
 }
 
@@ -30,10 +30,9 @@ inline void require(const CLI::App& app, const std::string& name, bool is_fulfil
 inline bool writes(const Options& options, const std::vector<std::string>& extensions)
 {
   std::vector<std::string> names = options.outputs;
-  for(const std::string& format : options.batch.formats)
+  for (const std::string& format : options.batch.formats)
     names.push_back("OUT." + format);
-  return std::any_of(names.begin(), names.end(), [&extensions](const std::string& name)
-  {
+  return std::any_of(names.begin(), names.end(), [&extensions](const std::string& name) {
     const std::string extension = CGAL::IO::internal::lower_extension(name);
     return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
   });
@@ -42,8 +41,8 @@ inline bool writes(const Options& options, const std::vector<std::string>& exten
 inline void check_effects_on_outputs(const CLI::App& app, const Options& options)
 {
   require(app, "--view", options.has_png, "--png");
-  require(app, "--step-schema", writes(options, { ".step", ".stp" }), "an output .step or .stp");
-  require(app, "--obj-splines", writes(options, { ".obj" }), "an output .obj");
+  require(app, "--step-schema", writes(options, {".step", ".stp"}), "an output .step or .stp");
+  require(app, "--obj-splines", writes(options, {".obj"}), "an output .obj");
 }
 
 inline void check_effects_on_curves(const CLI::App& app, const Extraction_options& extraction)
@@ -51,21 +50,21 @@ inline void check_effects_on_curves(const CLI::App& app, const Extraction_option
   namespace wireframe = CGAL::Wireframe_extraction;
   const bool is_variance = extraction.corner_measure == wireframe::Corner_measure::VARIANCE;
   const bool is_traced = extraction.graph_method == wireframe::Graph_method::TRACED;
-  for(const char* const name : { "--corner-variance", "--corner-radius", "--corner-sampling-ratio" })
+  for (const char* const name : {"--corner-variance", "--corner-radius", "--corner-sampling-ratio"})
     require(app, name, is_variance, "--corner-measure variance");
   require(app, "--corner-residual", !is_variance, "--corner-measure field-residual");
-  for(const char* const name : { "--end-detection", "--split-threshold" })
+  for (const char* const name : {"--end-detection", "--split-threshold"})
     require(app, name, !is_traced, "--graph-method subdivided");
-  for(const char* const name : { "--maximum-gap", "--minimum-evidence" })
+  for (const char* const name : {"--maximum-gap", "--minimum-evidence"})
     require(app, name, is_traced, "--graph-method traced");
-  for(const char* const name : { "--regularize", "--type-significance" })
+  for (const char* const name : {"--regularize", "--type-significance"})
     require(app, name, extraction.recognize_types, "--recognize-types true (and no --splines-only)");
 }
 
 // Whoever gives an option expects an effect, so that one that has none here is refused.
 inline void check_effects(const CLI::App& app, const Options& options)
 {
-  for(const char* const name : { "--fuse", "--indices-dataset", "--use-indices" })
+  for (const char* const name : {"--fuse", "--indices-dataset", "--use-indices"})
     require(app, name, options.input.are_patches, "--patches");
   check_effects_on_outputs(app, options);
   check_effects_on_curves(app, options.extraction);

@@ -28,19 +28,19 @@ std::pair<int, std::string> outcome_of(const std::function<int()>& work)
 {
   try
   {
-    return { work(), std::string() };
+    return {work(), std::string()};
   }
-  catch(const Error& error)
+  catch (const Error& error)
   {
-    return { error.exit_code, error.what() };
+    return {error.exit_code, error.what()};
   }
-  catch(const std::bad_alloc&)
+  catch (const std::bad_alloc&)
   {
-    return { INTERNAL_ERROR, "there is not enough memory for this cloud" };
+    return {INTERNAL_ERROR, "there is not enough memory for this cloud"};
   }
-  catch(const std::exception& error)
+  catch (const std::exception& error)
   {
-    return { INTERNAL_ERROR, std::string("unexpected: ") + error.what() };
+    return {INTERNAL_ERROR, std::string("unexpected: ") + error.what()};
   }
 }
 
@@ -55,19 +55,17 @@ int run_many(const Command_line& command_line, const Options& options)
 {
   Options of_cloud = options;
   of_cloud.is_quiet = true;
-  if(of_cloud.number_of_threads == 0)
+  if (of_cloud.number_of_threads == 0)
     of_cloud.number_of_threads = (std::max)(number_of_processors() / (std::max)(options.batch.number_of_jobs, 1), 1);
-  if(options.batch.number_of_jobs == 0)
+  if (options.batch.number_of_jobs == 0)
     of_cloud.number_of_threads = (std::max)(options.number_of_threads, 1);
-  for(const std::string& format : options.batch.formats)
+  for (const std::string& format : options.batch.formats)
     Output_files<Kernel>::check_extension("--format ." + format);
-  return run_batch(options.batch, [&](const std::string& cloud, const std::vector<std::string>& outputs)
-  {
+  return run_batch(options.batch, [&](const std::string& cloud, const std::vector<std::string>& outputs) {
     Cloud_result result;
-    of_cloud.input.files = { cloud };
+    of_cloud.input.files = {cloud};
     of_cloud.outputs = outputs;
-    std::tie(result.exit_code, result.error) = outcome_of([&]
-    {
+    std::tie(result.exit_code, result.error) = outcome_of([&] {
       Extraction_run run(command_line, of_cloud);
       run.run();
       result = run.result();
@@ -85,9 +83,9 @@ int parse_and_run(int argc, char** argv)
   {
     command_line.parse(argc, argv);
   }
-  catch(const CLI::ParseError& error)
+  catch (const CLI::ParseError& error)
   {
-    if(error.get_exit_code() == 0)
+    if (error.get_exit_code() == 0)
       return command_line.show_help_or_version(error);
     throw Error(USAGE_ERROR, std::string(error.what()) + " (extract_wireframe --help tells more)");
   }
@@ -103,7 +101,7 @@ int main(int argc, char** argv)
   FLAGS_minloglevel = google::GLOG_FATAL;
 #endif
   const std::pair<int, std::string> outcome = tool::outcome_of([=] { return tool::parse_and_run(argc, argv); });
-  if(!outcome.second.empty())
+  if (!outcome.second.empty())
     std::cerr << "extract_wireframe: error: " << tool::one_line(outcome.second) << '\n';
   return outcome.first;
 }

@@ -17,7 +17,7 @@ namespace {
 
 namespace wireframe = CGAL::Wireframe_extraction;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
-typedef std::vector<std::pair<Point, double> > Cloud;
+typedef std::vector<std::pair<Point, double>> Cloud;
 
 class Cloud_in_file : public Input_cloud
 {
@@ -46,13 +46,13 @@ public:
   bool read(const Sink& sink) override
   {
     std::vector<Sample> chunk;
-    for(std::size_t i = 0; i < cloud.size(); ++i)
+    for (std::size_t i = 0; i < cloud.size(); ++i)
     {
       const Point& p = cloud[i].first;
       chunk.push_back(Sample{p.x(), p.y(), p.z(), cloud[i].second});
-      if(chunk.size() < 4096 && i + 1 < cloud.size())
+      if (chunk.size() < 4096 && i + 1 < cloud.size())
         continue;
-      if(!sink(chunk.data(), chunk.data() + chunk.size()))
+      if (!sink(chunk.data(), chunk.data() + chunk.size()))
         return true;
       chunk.clear();
     }
@@ -69,26 +69,26 @@ bool can_be_read_once_only(const std::string& filename)
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(filename, error);
   return !error && std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)
-         && !std::filesystem::is_directory(status);
+    && !std::filesystem::is_directory(status);
 }
 
 template <class NamedParameters>
 std::string read_patches(const Input& input, Cloud_in_memory& result, const NamedParameters& np)
 {
   std::string error;
-  std::vector<wireframe::Distance_patch<Point, double> > patches;
-  if(!CGAL::IO::read_distance_patches(input.files, patches,
-                                      np.error_message(&error).indices_dataset(input.indices_dataset)
-                                        .use_indices(input.use_indices)))
+  std::vector<wireframe::Distance_patch<Point, double>> patches;
+  if (!CGAL::IO::read_distance_patches(
+        input.files, patches,
+        np.error_message(&error).indices_dataset(input.indices_dataset).use_indices(input.use_indices)))
     return error;
   std::size_t number_of_points = 0;
-  for(const auto& patch : patches)
+  for (const auto& patch : patches)
     number_of_points += patch.samples.size();
-  if(!wireframe::fuse_distance_patches(
-       patches, result.cloud, wireframe::parameters::patch_fusion(input.fusion).error_message(&error)))
+  if (!wireframe::fuse_distance_patches(patches, result.cloud,
+                                        wireframe::parameters::patch_fusion(input.fusion).error_message(&error)))
     return input.files.front() + (input.files.size() > 1 ? " and its fellow patches: " : ": ") + error;
   result.text = "the patches have " + std::to_string(number_of_points) + (number_of_points == 1 ? " point" : " points")
-                + ", which were fused to " + std::to_string(result.cloud.size());
+    + ", which were fused to " + std::to_string(result.cloud.size());
   return std::string();
 }
 
@@ -96,17 +96,19 @@ std::string read_patches(const Input& input, Cloud_in_memory& result, const Name
 
 std::unique_ptr<Input_cloud> open_input(const Input& input, std::string& error)
 {
-  const auto np = wireframe::parameters::skip_invalid(input.skip_invalid).distance_property(input.distance_property)
-                    .points_dataset(input.points_dataset).distances_dataset(input.distances_dataset);
-  const bool is_once_only = can_be_read_once_only(input.files.front())
-                            || (input.has_distances && can_be_read_once_only(input.distances));
-  if(!input.are_patches && !is_once_only)
+  const auto np = wireframe::parameters::skip_invalid(input.skip_invalid)
+                    .distance_property(input.distance_property)
+                    .points_dataset(input.points_dataset)
+                    .distances_dataset(input.distances_dataset);
+  const bool is_once_only =
+    can_be_read_once_only(input.files.front()) || (input.has_distances && can_be_read_once_only(input.distances));
+  if (!input.are_patches && !is_once_only)
     return std::make_unique<Cloud_in_file>(input, np);
   auto result = std::make_unique<Cloud_in_memory>();
   const auto all = np.number_of_skipped(&result->skipped);
-  if(input.are_patches)
+  if (input.are_patches)
     error = read_patches(input, *result, all);
-  else if(input.has_distances)
+  else if (input.has_distances)
     CGAL::IO::read_distance_cloud(input.files.front(), input.distances, result->cloud, all.error_message(&error));
   else
     CGAL::IO::read_distance_cloud(input.files.front(), result->cloud, all.error_message(&error));

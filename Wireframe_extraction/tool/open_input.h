@@ -16,8 +16,8 @@ namespace tool {
 // what is to be read, and how
 struct Input
 {
-  std::vector<std::string> files;        // one, or patches
-  std::string distances;                 // a file of its own
+  std::vector<std::string> files; // one, or patches
+  std::string distances;          // a file of its own
   bool has_distances = false, are_patches = false;
   std::string distance_property, points_dataset, distances_dataset, indices_dataset;
   bool use_indices = true, skip_invalid = false;

@@ -13,23 +13,23 @@ namespace tool {
 
 struct Batch_options
 {
-  std::string list;                      // a file that names the clouds, or - for the standard input
-  std::string input_folder;              // where relative names start; empty: the folder of the list
-  std::string output_folder, summary;    // the summary may be empty: it has a name in the output folder then
-  std::vector<std::string> formats;      // extensions without their dot
-  std::string part;                      // K/N, or empty for all clouds
-  int number_of_jobs = 0;                // 0: as many as there are processors
-  double time_limit = 0.;                // in seconds, 0: none
-  int memory_limit = 0;                  // in megabytes, 0: none
+  std::string list;                   // a file that names the clouds, or - for the standard input
+  std::string input_folder;           // where relative names start; empty: the folder of the list
+  std::string output_folder, summary; // the summary may be empty: it has a name in the output folder then
+  std::vector<std::string> formats;   // extensions without their dot
+  std::string part;                   // K/N, or empty for all clouds
+  int number_of_jobs = 0;             // 0: as many as there are processors
+  double time_limit = 0.;             // in seconds, 0: none
+  int memory_limit = 0;               // in megabytes, 0: none
   bool are_failed_kept = false, is_quiet = false;
-  std::string settings;                  // everything else that decides on the results
+  std::string settings; // everything else that decides on the results
 };
 
 // what came out for one cloud
 struct Cloud_result
 {
   int exit_code = 0;
-  std::string error;                     // in one line, empty if all went well
+  std::string error; // in one line, empty if all went well
   std::size_t number_of_points = 0, number_of_curves = 0, number_of_corners = 0;
   double sampling_distance = 0.;
   std::vector<std::string> warnings;

@@ -22,7 +22,7 @@
 
 namespace tool {
 
-typedef std::vector<std::pair<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3, double> > Cloud;
+typedef std::vector<std::pair<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3, double>> Cloud;
 
 // more points than this make pages and pictures large, and none of them is missed
 constexpr std::size_t most_shown_points = 1000000;
@@ -32,17 +32,16 @@ inline bool sample(Input_cloud& cloud, Cloud& result)
 {
   std::size_t seen = 0;
   boost::random::mt19937_64 random(1);
-  return cloud.read([&](const Input_cloud::Sample* first, const Input_cloud::Sample* beyond)
-  {
-    for(; first != beyond; ++first, ++seen)
+  return cloud.read([&](const Input_cloud::Sample* first, const Input_cloud::Sample* beyond) {
+    for (; first != beyond; ++first, ++seen)
     {
-      const Cloud::value_type value({ first->x, first->y, first->z }, first->distance);
-      if(result.size() < most_shown_points)
+      const Cloud::value_type value({first->x, first->y, first->z}, first->distance);
+      if (result.size() < most_shown_points)
         result.push_back(value);
       else
       {
         const std::size_t place = boost::random::uniform_int_distribution<std::size_t>(0, seen)(random);
-        if(place < most_shown_points)
+        if (place < most_shown_points)
           result[place] = value;
       }
     }
@@ -50,17 +49,17 @@ inline bool sample(Input_cloud& cloud, Cloud& result)
   });
 }
 
-inline CGAL::IO::internal::Coordinates
-coordinates_of(const CGAL::Exact_predicates_inexact_constructions_kernel::Point_3& point)
+inline CGAL::IO::internal::Coordinates coordinates_of(
+  const CGAL::Exact_predicates_inexact_constructions_kernel::Point_3& point)
 {
-  return { { point.x(), point.y(), point.z() } };
+  return {{point.x(), point.y(), point.z()}};
 }
 
 // from a feature to far away from it: the cloud is pale where nothing is
 inline const std::array<CGAL::IO::internal::Colour, 5>& field_colours()
 {
   static const std::array<CGAL::IO::internal::Colour, 5> colours = {
-    { { 53, 19, 107 }, { 47, 95, 174 }, { 79, 176, 179 }, { 181, 223, 174 }, { 241, 239, 207 } } };
+    {{53, 19, 107}, {47, 95, 174}, {79, 176, 179}, {181, 223, 174}, {241, 239, 207}}};
   return colours;
 }
 
@@ -68,15 +67,15 @@ inline const std::array<CGAL::IO::internal::Colour, 5>& field_colours()
 inline bool is_valid(const Cloud::value_type& sample)
 {
   return CGAL::IO::internal::is_finite_point(coordinates_of(sample.first)) && std::isfinite(sample.second)
-         && sample.second >= 0.;
+    && sample.second >= 0.;
 }
 
 inline std::vector<std::size_t> indices_of_valid(const Cloud& cloud)
 {
   std::vector<std::size_t> indices;
   indices.reserve(cloud.size());
-  for(std::size_t i = 0; i < cloud.size(); ++i)
-    if(is_valid(cloud[i]))
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (is_valid(cloud[i]))
       indices.push_back(i);
   return indices;
 }
@@ -85,7 +84,7 @@ inline std::vector<std::size_t> indices_of_valid(const Cloud& cloud)
 inline void shuffle(std::vector<std::size_t>& indices)
 {
   std::mt19937_64 random;
-  for(std::size_t i = 0; i < indices.size(); ++i)
+  for (std::size_t i = 0; i < indices.size(); ++i)
     std::swap(indices[i], indices[i + static_cast<std::size_t>(random() % (indices.size() - i))]);
 }
 

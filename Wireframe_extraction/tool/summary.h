@@ -47,14 +47,14 @@ struct Curve_counts
 
 inline std::pair<const char*, const char*> kind_names(CGAL::Wireframe_curve_type type)
 {
-  switch(type)
+  switch (type)
   {
-    case CGAL::Wireframe_curve_type::LINE: return { "line", "lines" };
-    case CGAL::Wireframe_curve_type::CIRCLE: return { "circle", "circles" };
-    case CGAL::Wireframe_curve_type::ARC: return { "circular arc", "circular arcs" };
-    case CGAL::Wireframe_curve_type::ELLIPSE: return { "ellipse", "ellipses" };
-    case CGAL::Wireframe_curve_type::ELLIPTIC_ARC: return { "elliptic arc", "elliptic arcs" };
-    default: return { "B-spline", "B-splines" };
+  case CGAL::Wireframe_curve_type::LINE: return {"line", "lines"};
+  case CGAL::Wireframe_curve_type::CIRCLE: return {"circle", "circles"};
+  case CGAL::Wireframe_curve_type::ARC: return {"circular arc", "circular arcs"};
+  case CGAL::Wireframe_curve_type::ELLIPSE: return {"ellipse", "ellipses"};
+  case CGAL::Wireframe_curve_type::ELLIPTIC_ARC: return {"elliptic arc", "elliptic arcs"};
+  default: return {"B-spline", "B-splines"};
   }
 }
 
@@ -62,15 +62,15 @@ template <class GeomTraits>
 std::string curves_text(const CGAL::Wireframe<GeomTraits>& wireframe)
 {
   std::map<CGAL::Wireframe_curve_type, Curve_counts> counts;
-  for(const auto& curve : wireframe.curves)
+  for (const auto& curve : wireframe.curves)
     ++(curve.is_closed() ? counts[curve.type].closed : counts[curve.type].open);
   std::string text;
-  for(const auto& kind : counts)
+  for (const auto& kind : counts)
   {
     const auto names = kind_names(kind.first);
     const Curve_counts& of_kind = kind.second;
-    text += (text.empty() ? "" : ", ") + counted(of_kind.open + of_kind.closed, names.first, names.second)
-            + " (" + std::to_string(of_kind.open) + " open, " + std::to_string(of_kind.closed) + " closed)";
+    text += (text.empty() ? "" : ", ") + counted(of_kind.open + of_kind.closed, names.first, names.second) + " ("
+      + std::to_string(of_kind.open) + " open, " + std::to_string(of_kind.closed) + " closed)";
   }
   return text;
 }
@@ -78,8 +78,7 @@ std::string curves_text(const CGAL::Wireframe<GeomTraits>& wireframe)
 // a length in the cloud's unit and in sampling distances
 inline std::string length_text(double length, double sampling_distance)
 {
-  return short_number(length)
-         + (sampling_distance > 0. ? " = " + short_number(length / sampling_distance) + " r" : "");
+  return short_number(length) + (sampling_distance > 0. ? " = " + short_number(length / sampling_distance) + " r" : "");
 }
 
 inline void print_row(std::ostream& out, const std::string& name, const std::string& text)
@@ -90,18 +89,18 @@ inline void print_row(std::ostream& out, const std::string& name, const std::str
 inline std::string points_text(const CGAL::Wireframe_extraction_report& report, std::size_t number_of_skipped)
 {
   std::string text = std::to_string(report.number_of_points);
-  if(number_of_skipped > 0)
+  if (number_of_skipped > 0)
     text += ", " + std::to_string(number_of_skipped) + " more skipped as invalid";
-  if(report.number_of_duplicates > 0)
+  if (report.number_of_duplicates > 0)
     text += ", " + std::to_string(report.number_of_duplicates) + " of the skeleton twice";
   return text;
 }
 
-inline std::string times_text(const std::vector<std::pair<std::string, double> >& seconds)
+inline std::string times_text(const std::vector<std::pair<std::string, double>>& seconds)
 {
   std::string text;
   double sum = 0.;
-  for(const auto& stage : seconds)
+  for (const auto& stage : seconds)
   {
     text += (text.empty() ? "" : ", ") + stage.first + " " + seconds_text(stage.second);
     sum += stage.second;
@@ -110,7 +109,7 @@ inline std::string times_text(const std::vector<std::pair<std::string, double> >
 }
 
 // the rows of a table: a name and a text each
-typedef std::vector<std::pair<std::string, std::string> > Summary;
+typedef std::vector<std::pair<std::string, std::string>> Summary;
 
 template <class GeomTraits>
 Summary summary_of(const Options& options, const CGAL::Wireframe<GeomTraits>& wireframe,
@@ -122,24 +121,27 @@ Summary summary_of(const Options& options, const CGAL::Wireframe<GeomTraits>& wi
   rows.emplace_back("r", short_number(r) + (options.sampling_distance > 0. ? " (given)" : " (estimated)"));
   rows.emplace_back("Noise", length_text(report.noise, r));
   rows.emplace_back("Skeleton", counted(report.skeleton_size, "point", "points"));
-  rows.emplace_back("Corners", std::to_string(report.number_of_corners)
-    + (report.number_of_free_ends == 0 ? "" : ", and " + std::to_string(report.number_of_free_ends) + " free ends"));
+  rows.emplace_back(
+    "Corners",
+    std::to_string(report.number_of_corners)
+      + (report.number_of_free_ends == 0 ? "" : ", and " + std::to_string(report.number_of_free_ends) + " free ends"));
   rows.emplace_back("Curves", curves_text(wireframe));
-  for(const std::string& regularity : report.regularities)
+  for (const std::string& regularity : report.regularities)
     rows.emplace_back("Regular", regularity); // curves are counted from 0, as in the files
-  rows.emplace_back("Residuals", "rms " + length_text(report.root_mean_square, r) + ", largest "
-                                   + length_text(report.maximum_deviation, r));
+  rows.emplace_back("Residuals",
+                    "rms " + length_text(report.root_mean_square, r) + ", largest "
+                      + length_text(report.maximum_deviation, r));
   return rows;
 }
 
 inline void print_summary(std::ostream& out, const Summary& summary,
-                          const std::vector<std::pair<std::string, double> >& seconds,
+                          const std::vector<std::pair<std::string, double>>& seconds,
                           const std::vector<std::string>& written_files)
 {
-  for(const auto& row : summary)
+  for (const auto& row : summary)
     print_row(out, row.first, row.second);
   print_row(out, "Seconds", times_text(seconds));
-  for(const std::string& name : written_files)
+  for (const std::string& name : written_files)
     print_row(out, "Written", name);
 }
 

@@ -14,9 +14,9 @@ bool write_cad(const std::string& extension, std::ostream& stream,
 {
   namespace parameters = CGAL::Wireframe_extraction::parameters;
   const auto np = parameters::error_message(&error).unit(unit).step_schema(schema);
-  if(extension == ".brep")
+  if (extension == ".brep")
     return CGAL::IO::write_wireframe_brep(stream, wireframe, np);
-  if(extension == ".iges" || extension == ".igs")
+  if (extension == ".iges" || extension == ".igs")
     return CGAL::IO::write_wireframe_iges(stream, wireframe, np);
   return CGAL::IO::write_wireframe_step(stream, wireframe, np);
 }

@@ -20,12 +20,12 @@ namespace tool {
 inline bool has_format(const std::string& extension)
 {
 #ifdef EXTRACT_WIREFRAME_WITH_CAD
-  if(CGAL::IO::internal::is_cad_extension(extension))
+  if (CGAL::IO::internal::is_cad_extension(extension))
     return true;
 #endif
-  for(const char* const known :
-      { ".json", ".obj", ".ply", ".dxf", ".vtp", ".gltf", ".glb", ".svg", ".csv", ".txt", ".cgal" })
-    if(extension == known)
+  for (const char* const known :
+       {".json", ".obj", ".ply", ".dxf", ".vtp", ".gltf", ".glb", ".svg", ".csv", ".txt", ".cgal"})
+    if (extension == known)
       return true;
   return false;
 }
@@ -36,25 +36,25 @@ bool write_in_format(const std::string& extension, std::ostream& stream, const C
                      const Options& options, std::string& error)
 {
 #ifdef EXTRACT_WIREFRAME_WITH_CAD
-  if(CGAL::IO::internal::is_cad_extension(extension))
+  if (CGAL::IO::internal::is_cad_extension(extension))
     return write_cad(extension, stream, wireframe, options.unit, options.step_schema, error);
 #endif
   const auto np = CGAL::Wireframe_extraction::parameters::error_message(&error).unit(options.unit);
-  if(extension == ".json")
+  if (extension == ".json")
     return CGAL::IO::write_wireframe_json(stream, wireframe, np);
-  if(extension == ".obj")
+  if (extension == ".obj")
     return CGAL::IO::write_wireframe_obj(stream, wireframe, np.obj_splines(options.has_obj_splines));
-  if(extension == ".ply")
+  if (extension == ".ply")
     return CGAL::IO::write_wireframe_ply(stream, wireframe, np);
-  if(extension == ".dxf")
+  if (extension == ".dxf")
     return CGAL::IO::write_wireframe_dxf(stream, wireframe, np);
-  if(extension == ".vtp")
+  if (extension == ".vtp")
     return CGAL::IO::write_wireframe_vtp(stream, wireframe, np);
-  if(extension == ".gltf" || extension == ".glb")
+  if (extension == ".gltf" || extension == ".glb")
     return CGAL::IO::write_wireframe_gltf(stream, wireframe, np.use_binary_mode(extension == ".glb"));
-  if(extension == ".svg")
+  if (extension == ".svg")
     return CGAL::IO::write_wireframe_svg(stream, wireframe, np);
-  if(extension == ".csv")
+  if (extension == ".csv")
     return CGAL::IO::write_wireframe_csv(stream, wireframe, np);
   return CGAL::IO::write_wireframe_polylines(stream, wireframe, np);
 }

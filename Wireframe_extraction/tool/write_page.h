@@ -21,15 +21,15 @@ namespace tool {
 struct Parameter
 {
   std::string group, name, value;
-  bool is_given;   // on the command line
+  bool is_given; // on the command line
 };
 
 // what the page tells, beside the cloud, the stages and the curves
 struct Page_texts
 {
   std::string title, unit, program;
-  std::vector<std::pair<std::string, std::string> > summary;
-  std::vector<std::pair<std::string, double> > seconds;   // of the stages
+  std::vector<std::pair<std::string, std::string>> summary;
+  std::vector<std::pair<std::string, double>> seconds; // of the stages
   std::vector<std::string> warnings;
   std::vector<Parameter> parameters;
 };

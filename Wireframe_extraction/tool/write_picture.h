@@ -16,7 +16,13 @@
 namespace tool {
 
 // from where the picture is taken, as in drawings in .svg
-enum class View { TOP, ISOMETRIC, FRONT, RIGHT };
+enum class View
+{
+  TOP,
+  ISOMETRIC,
+  FRONT,
+  RIGHT
+};
 
 // whether the tool was built with what writes PNG
 bool has_png();

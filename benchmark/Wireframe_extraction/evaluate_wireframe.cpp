@@ -13,7 +13,14 @@
 
 namespace {
 
-enum Exit_code { SUCCESS = 0, INTERNAL_ERROR = 1, USAGE_ERROR = 2, BAD_TRUTH = 3, FAILED_CASE = 4 };
+enum Exit_code
+{
+  SUCCESS = 0,
+  INTERNAL_ERROR = 1,
+  USAGE_ERROR = 2,
+  BAD_TRUTH = 3,
+  FAILED_CASE = 4
+};
 
 int fail(Exit_code code, const std::string& text)
 {

@@ -28,7 +28,7 @@ std::string common_name(std::string stem)
 
 std::vector<Case_job> jobs_of_batch(const std::string& directory)
 {
-  std::map<std::string, std::vector<std::string> > features;
+  std::map<std::string, std::vector<std::string>> features;
   for (const std::string& path : files_below(directory, {".yml", ".yaml"}))
     features[common_name(stem_of(path))].push_back(path);
   std::vector<Case_job> jobs;
@@ -40,7 +40,7 @@ std::vector<Case_job> jobs_of_batch(const std::string& directory)
       job.problem = "there is no YAML file with the features of '" + path + "'";
     else
       job.files.push_back(found.front());
-    for (const std::string& other : found)   // rather the one beside the mesh, if there are more
+    for (const std::string& other : found) // rather the one beside the mesh, if there are more
       if (std::filesystem::path(other).parent_path() == std::filesystem::path(path).parent_path())
         job.files.back() = other;
     jobs.push_back(job);
@@ -57,10 +57,10 @@ int main(int argc, char** argv)
 {
   Case_program program("make_abc_case", "Makes clouds with ground truth from shapes of the ABC dataset.");
   std::vector<std::string> files;
-  program.options().add_option("files", files, "the mesh (OBJ) and its features (YAML) of a single shape")
+  program.options()
+    .add_option("files", files, "the mesh (OBJ) and its features (YAML) of a single shape")
     ->expected(0, 2);
-  const auto make_jobs = [&]()
-  {
+  const auto make_jobs = [&]() {
     if (program.batch_directory().empty() != !files.empty())
       throw Case_error(USAGE_ERROR, "give a mesh and its features, MESH.obj FEATURES.yml, or --batch DIRECTORY");
     if (files.empty())
@@ -70,8 +70,7 @@ int main(int argc, char** argv)
     const std::string name = program.name_of_case();
     return std::vector<Case_job>{{name.empty() ? common_name(stem_of(files[0])) : name, files, ""}};
   };
-  return program.run(argc, argv, make_jobs, [](const Case_job& job, const Scale_rule& rule)
-  {
+  return program.run(argc, argv, make_jobs, [](const Case_job& job, const Scale_rule& rule) {
     return read_abc_shape(job.files[0], job.files[1], rule);
   });
 }

@@ -159,9 +159,9 @@ void check_outputs(const Arguments& a)
 
 void print_counts(const Arguments& a, const Ground_truth& truth, std::size_t points)
 {
-  std::cout << a.shape << ": " << points << " points, sampling distance "
-            << truth.sampling_distance << ", " << truth.curves.size() << " curves (" << truth.segments.size()
-            << " segments), " << truth.corners.size() << " corners\n";
+  std::cout << a.shape << ": " << points << " points, sampling distance " << truth.sampling_distance << ", "
+            << truth.curves.size() << " curves (" << truth.segments.size() << " segments), " << truth.corners.size()
+            << " corners\n";
 }
 
 /// writes a cloud of uniformly random points with an exact field, which is never in memory as a whole.
@@ -171,14 +171,14 @@ std::size_t write_piece_by_piece(const Arguments& a, const Solid& solid, const S
   const std::size_t points = number_of_points(solid.area(), options.sampling_distance);
   print_counts(a, truth, points);
   const fs::path path = paths_of_clouds(a).front();
-  write(path, a.is_forced, [&](std::ostream& out)
-  {
+  write(path, a.is_forced, [&](std::ostream& out) {
     write_ply_header(out, truth.sampling_distance, points);
-    return sample_uniformly(solid, options, [&](Cloud& piece)
-    {
-      scale(piece, a.scale);
-      return write_ply_points(out, piece);
-    }) && out.flush();
+    return sample_uniformly(solid, options,
+                            [&](Cloud& piece) {
+                              scale(piece, a.scale);
+                              return write_ply_points(out, piece);
+                            })
+      && out.flush();
   });
   std::cout << "exact: RMSE 0 r, 0 % off by more than r: " << path.string() << '\n';
   return points;
@@ -223,16 +223,12 @@ void run(Arguments a)
   scale(truth, a.scale);
   const std::size_t points = write_clouds(a, solid, options, truth);
   if (!path_of_truth(a).empty())
-    write(path_of_truth(a), a.is_forced, [&](std::ostream& out)
-    {
-      return write_truth(out, truth, a.shape, points);
-    });
+    write(path_of_truth(a), a.is_forced, [&](std::ostream& out) { return write_truth(out, truth, a.shape, points); });
 }
 
 std::string check_seed(const std::string& text)
 {
-  const bool is_whole = !text.empty() && text.size() <= 19
-                        && text.find_first_not_of("0123456789") == std::string::npos;
+  const bool is_whole = !text.empty() && text.size() <= 19 && text.find_first_not_of("0123456789") == std::string::npos;
   return is_whole ? "" : "'" + text + "' is not a whole number between 0 and 9999999999999999999";
 }
 
@@ -247,31 +243,45 @@ void add_options(CLI::App& app, Arguments& a)
   app.add_option("--field", a.field, "with one output file: its field; default exact")
     ->check(CLI::IsMember({"exact", "def", "noisy"}));
   app.add_option("--fields", a.fields, "with a directory: the fields, separated by commas; default all three")
-    ->delimiter(',')->check(CLI::IsMember({"exact", "def", "noisy"}));
+    ->delimiter(',')
+    ->check(CLI::IsMember({"exact", "def", "noisy"}));
   CLI::Option* r = app.add_option("--r", a.sampling_distance, "sampling distance, before scaling")
-    ->capture_default_str()->check(number_check());
+                     ->capture_default_str()
+                     ->check(number_check());
   app.add_option("--points", a.points, "number of points; the sampling distance follows from it")
-    ->excludes(r)->check(CLI::Range(std::size_t(50), most_points));
-  app.add_option("--sampling", a.sampling, "Poisson-disk or uniformly random points; uniform ones "
-                 "with an exact field only are written piece by piece, however many they are")
-    ->capture_default_str()->check(CLI::IsMember({"poisson", "uniform"}));
-  app.add_option("--field-scope", a.scope, "which sharp curves count: those of the point's own face and the "
-                                           "faces adjacent to it, or all")
-    ->capture_default_str()->check(CLI::IsMember({"adjacent", "all"}));
+    ->excludes(r)
+    ->check(CLI::Range(std::size_t(50), most_points));
+  app
+    .add_option("--sampling", a.sampling,
+                "Poisson-disk or uniformly random points; uniform ones "
+                "with an exact field only are written piece by piece, however many they are")
+    ->capture_default_str()
+    ->check(CLI::IsMember({"poisson", "uniform"}));
+  app
+    .add_option("--field-scope", a.scope,
+                "which sharp curves count: those of the point's own face and the "
+                "faces adjacent to it, or all")
+    ->capture_default_str()
+    ->check(CLI::IsMember({"adjacent", "all"}));
   app.add_option("--truncate", a.truncation, "upper bound of the field, in sampling distances")
-    ->capture_default_str()->check(number_check());
-  app.add_option("--position-noise", a.position_noise,
-                 "by how much the noisy field's points are moved: the standard deviation per coordinate, in "
-                 "sampling distances")
-    ->capture_default_str()->check(number_check(true));
-  app.add_option("--angle", a.angle, "of the wedge, in degrees")
-    ->capture_default_str()->check(CLI::Range(5., 170.));
+    ->capture_default_str()
+    ->check(number_check());
+  app
+    .add_option("--position-noise", a.position_noise,
+                "by how much the noisy field's points are moved: the standard deviation per coordinate, in "
+                "sampling distances")
+    ->capture_default_str()
+    ->check(number_check(true));
+  app.add_option("--angle", a.angle, "of the wedge, in degrees")->capture_default_str()->check(CLI::Range(5., 170.));
   app.add_option("--radius", a.radius, "of the rounded plate's corners, in sampling distances")
-    ->capture_default_str()->check(CLI::Range(0.1, 10.));
+    ->capture_default_str()
+    ->check(CLI::Range(0.1, 10.));
   app.add_option("--scale", a.scale, "multiplies all lengths, the sampling distance too")
-    ->capture_default_str()->check(number_check());
+    ->capture_default_str()
+    ->check(number_check());
   app.add_option("--seed", a.seed, "of the random numbers, a whole number")
-    ->capture_default_str()->check(CLI::Validator(check_seed, ""));
+    ->capture_default_str()
+    ->check(CLI::Validator(check_seed, ""));
   app.add_flag("--force", a.is_forced, "overwrite existing files");
 }
 

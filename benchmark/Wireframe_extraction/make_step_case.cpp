@@ -35,21 +35,23 @@ int main(int argc, char** argv)
   std::string file;
   Step_options options;
   program.options().add_option("part", file, "a single part (STEP)");
-  program.options().add_option("--sharp-angle", options.sharp_angle,
-                               "an edge is sharp if the normals of its faces differ by more, in degrees")
-    ->capture_default_str()->check(CLI::Range(0., 180.));
-  program.options().add_option("--sew", options.sewing,
-                               "first make one edge of edges that are closer than this, in millimetres; 0: do not")
-    ->capture_default_str()->check(CLI::NonNegativeNumber);
-  const auto make_jobs = [&]()
-  {
+  program.options()
+    .add_option("--sharp-angle", options.sharp_angle,
+                "an edge is sharp if the normals of its faces differ by more, in degrees")
+    ->capture_default_str()
+    ->check(CLI::Range(0., 180.));
+  program.options()
+    .add_option("--sew", options.sewing,
+                "first make one edge of edges that are closer than this, in millimetres; 0: do not")
+    ->capture_default_str()
+    ->check(CLI::NonNegativeNumber);
+  const auto make_jobs = [&]() {
     if (program.batch_directory().empty() != !file.empty())
       throw Case_error(USAGE_ERROR, "give a part, PART.stp, or --batch DIRECTORY");
     return file.empty() ? jobs_of_batch(program.batch_directory())
                         : std::vector<Case_job>{job_of(file, program.name_of_case())};
   };
-  return program.run(argc, argv, make_jobs, [&options](const Case_job& job, const Scale_rule& rule)
-  {
+  return program.run(argc, argv, make_jobs, [&options](const Case_job& job, const Scale_rule& rule) {
     return read_step_shape(job.files[0], options, rule);
   });
 }

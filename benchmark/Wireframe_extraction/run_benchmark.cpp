@@ -27,7 +27,14 @@ namespace {
 
 using namespace Wireframe_benchmark;
 
-enum Exit_code { SUCCESS = 0, INTERNAL_ERROR = 1, USAGE_ERROR = 2, BAD_INPUT = 3, STOPPED = 130 };
+enum Exit_code
+{
+  SUCCESS = 0,
+  INTERNAL_ERROR = 1,
+  USAGE_ERROR = 2,
+  BAD_INPUT = 3,
+  STOPPED = 130
+};
 
 /// A failure that ends the run.
 struct Error : std::runtime_error
@@ -79,10 +86,9 @@ std::vector<Benchmark_case> wanted_cases(const Arguments& a)
   for (const std::string& field : a.fields)
     if (fields.count(field) == 0)
       throw Error(BAD_INPUT, a.folder + ": no case has a field '" + field + "'");
-  const auto is_unwanted = [&a](const Benchmark_case& c)
-  {
+  const auto is_unwanted = [&a](const Benchmark_case& c) {
     return (!a.fields.empty() && std::find(a.fields.begin(), a.fields.end(), c.field) == a.fields.end())
-           || (c.family + "/" + c.name).find(a.match) == std::string::npos;
+      || (c.family + "/" + c.name).find(a.match) == std::string::npos;
   };
   cases.erase(std::remove_if(cases.begin(), cases.end(), is_unwanted), cases.end());
   if (cases.empty())
@@ -128,8 +134,8 @@ void print_progress(const Benchmark_row& row, std::size_t number, std::size_t al
   if (row.is_failed())
     std::cerr << "FAIL " << row.failure << '\n';
   else
-    std::cerr << "CD " << fixed(row.value("chamfer_distance_r"), 3) << " r, curveF1 "
-              << fixed(row.value("curve_f1"), 3) << ", " << fixed(row.value("seconds"), 2) << " s\n";
+    std::cerr << "CD " << fixed(row.value("chamfer_distance_r"), 3) << " r, curveF1 " << fixed(row.value("curve_f1"), 3)
+              << ", " << fixed(row.value("seconds"), 2) << " s\n";
 }
 
 void print_failures(const std::vector<Benchmark_row>& rows)
@@ -152,8 +158,7 @@ Exit_code run(const Arguments& a, const char* program)
   std::signal(SIGINT, stop);
   std::signal(SIGTERM, stop);
   std::size_t count = 0;
-  Run_result result = run_cases(cases, options, a.number_of_jobs, is_stopped, [&](const Benchmark_row& row)
-  {
+  Run_result result = run_cases(cases, options, a.number_of_jobs, is_stopped, [&](const Benchmark_row& row) {
     ++count;
     if (!a.is_quiet)
       print_progress(row, count, cases.size());
@@ -164,8 +169,7 @@ Exit_code run(const Arguments& a, const char* program)
   std::sort(result.rows.begin(), result.rows.end(), is_worse);
   write(a.csv, [&](std::ostream& out) { write_csv(out, result.rows); });
   const Comparison comparison = compare_rows(old_rows, result.rows);
-  write(a.markdown, [&](std::ostream& out)
-  {
+  write(a.markdown, [&](std::ostream& out) {
     write_markdown(out, result.rows);
     if (!a.compare.empty())
     {
@@ -188,21 +192,29 @@ Exit_code run(const Arguments& a, const char* program)
 
 void add_options(CLI::App& app, Arguments& a)
 {
-  app.add_option("DIR", a.folder, "a case, that is, a folder with truth.json and one cloud FIELD.ply per field, or a "
-                                  "folder of cases, or of such folders")->required();
-  app.add_option("--tool", a.tool, "the command to run on each cloud, with {in} for the cloud, {out} for the result "
-                                   "(wireframe JSON) and {r} for the sampling distance; without {in} and {out}, "
-                                   "'{in} -o {out}' is appended. Quotes protect spaces; there is no shell. Default: "
-                                   "extract_wireframe beside this program");
+  app
+    .add_option("DIR", a.folder,
+                "a case, that is, a folder with truth.json and one cloud FIELD.ply per field, or a "
+                "folder of cases, or of such folders")
+    ->required();
+  app.add_option("--tool", a.tool,
+                 "the command to run on each cloud, with {in} for the cloud, {out} for the result "
+                 "(wireframe JSON) and {r} for the sampling distance; without {in} and {out}, "
+                 "'{in} -o {out}' is appended. Quotes protect spaces; there is no shell. Default: "
+                 "extract_wireframe beside this program");
   app.add_option("-j,--jobs", a.number_of_jobs, "number of cases that run at once")
-    ->capture_default_str()->check(CLI::Range(std::size_t(1), std::size_t(1024)));
+    ->capture_default_str()
+    ->check(CLI::Range(std::size_t(1), std::size_t(1024)));
   app.add_option("--fields", a.fields, "run these fields only, separated by commas")
-    ->delimiter(',')->allow_extra_args(false);
+    ->delimiter(',')
+    ->allow_extra_args(false);
   app.add_option("--match", a.match, "run only the cases with this text in FAMILY/NAME");
   app.add_option("--timeout", a.timeout, "seconds after which a run is killed, and the case fails; 0 is never")
-    ->capture_default_str()->check(CLI::Range(0., 1e9));
+    ->capture_default_str()
+    ->check(CLI::Range(0., 1e9));
   app.add_option("--memory", a.megabytes, "megabytes of address space that a run may have; 0 is without bound")
-    ->capture_default_str()->check(CLI::Range(std::size_t(0), std::size_t(1) << 30));
+    ->capture_default_str()
+    ->check(CLI::Range(std::size_t(0), std::size_t(1) << 30));
   app.add_option("--csv", a.csv, "write all values of all cases to this file, the worst cases first");
   app.add_option("--markdown", a.markdown, "write a report to this file");
   app.add_option("--compare", a.compare, "list what got better and worse since this file was written by --csv");

@@ -33,7 +33,8 @@ using Sample_solids::Field_kind;
 const Pipeline& pipeline_of(const Timed_cloud& c)
 {
   static std::unique_ptr<Pipeline> pipeline;
-  if (!pipeline || !(pipeline->of() == c)) {
+  if (!pipeline || !(pipeline->of() == c))
+  {
     pipeline.reset();
     pipeline = std::make_unique<Pipeline>(c, std::filesystem::temp_directory_path().string());
   }
@@ -81,7 +82,8 @@ void measure(benchmark::State& state, const Timed_cloud& c, const Stage& stage, 
 #endif
   const Pipeline& pipeline = pipeline_of(c);
   double peak = 0.;
-  for (auto _ : state) {
+  for (auto _ : state)
+  {
     const Memory_meter meter;
     stage.run(pipeline);
     peak = (std::max)(peak, meter.peak());
@@ -121,7 +123,9 @@ void add_benchmarks(std::size_t least, std::size_t most)
         benchmark::RegisterBenchmark(
           (c.name() + "/" + stage.name + "/" + std::to_string(threads)).c_str(),
           [c, stage, threads](benchmark::State& state) { measure(state, c, stage, threads); })
-          ->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark::kMillisecond);
+          ->MeasureProcessCPUTime()
+          ->UseRealTime()
+          ->Unit(benchmark::kMillisecond);
 }
 
 // takes an option `--name=NUMBER` out of the command line
@@ -129,10 +133,12 @@ std::size_t take_number(int& argc, char** argv, const std::string& name, std::si
 {
   const std::string start = "--" + name + "=";
   for (int i = 1; i < argc; ++i)
-    if (std::strncmp(argv[i], start.c_str(), start.size()) == 0) {
+    if (std::strncmp(argv[i], start.c_str(), start.size()) == 0)
+    {
       char* end = nullptr;
       const double value = std::strtod(argv[i] + start.size(), &end);
-      if (end == argv[i] + start.size() || *end != '\0' || !(value >= 1. && value <= 1e12)) {
+      if (end == argv[i] + start.size() || *end != '\0' || !(value >= 1. && value <= 1e12))
+      {
         std::cerr << "wireframe_extraction_benchmark: '" << argv[i] << "' is no number of points\n";
         std::exit(2);
       }
@@ -154,10 +160,13 @@ int main(int argc, char** argv)
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv))
     return 2;
-  try {
+  try
+  {
     if (benchmark::RunSpecifiedBenchmarks() == 0)
       return 1;
-  } catch (const std::exception& error) {
+  }
+  catch (const std::exception& error)
+  {
     std::cerr << "wireframe_extraction_benchmark: " << error.what() << '\n';
     return 1;
   }

@@ -49,9 +49,9 @@ int main(int argc, char** argv)
     const Wireframe::Curve::Spline& spline = wireframe.curves[i].spline;
     const std::vector<double> values = curvatures(spline, 100);
     // On a circle of radius R all of them are 1 / R, on a straight line 0.
-    std::cout << "curve " << i << (spline.is_closed() ? " (closed)" : " (open)") << ": length "
-              << spline.length() << ", curvature " << values[10] << " (10 %), " << values[50]
-              << " (median), " << values[90] << " (90 %)" << std::endl;
+    std::cout << "curve " << i << (spline.is_closed() ? " (closed)" : " (open)") << ": length " << spline.length()
+              << ", curvature " << values[10] << " (10 %), " << values[50] << " (median), " << values[90] << " (90 %)"
+              << std::endl;
   }
   return wireframe.is_empty() ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -20,18 +20,12 @@ std::string name(Type type)
 {
   switch (type)
   {
-  case Type::LINE:
-    return "line";
-  case Type::CIRCLE:
-    return "circle";
-  case Type::ARC:
-    return "arc of a circle";
-  case Type::ELLIPSE:
-    return "ellipse";
-  case Type::ELLIPTIC_ARC:
-    return "arc of an ellipse";
-  default:
-    return "B-spline";
+  case Type::LINE: return "line";
+  case Type::CIRCLE: return "circle";
+  case Type::ARC: return "arc of a circle";
+  case Type::ELLIPSE: return "ellipse";
+  case Type::ELLIPTIC_ARC: return "arc of an ellipse";
+  default: return "B-spline";
   }
 }
 

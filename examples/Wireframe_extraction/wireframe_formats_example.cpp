@@ -27,7 +27,7 @@ Wireframe::Curve circle(const Wireframe& wireframe, std::size_t vertex, double r
   curve.conic.major_direction = Vector(1, 0, 0);
   curve.conic.major_radius = curve.conic.minor_radius = radius;
   curve.conic.end_angle = 2. * CGAL_PI;
-  curve.spline = curve.conic.to_spline(true);   // whatever its type, a curve has its B-spline form, too
+  curve.spline = curve.conic.to_spline(true); // whatever its type, a curve has its B-spline form, too
   curve.source = curve.target = vertex;
   return curve;
 }
@@ -54,8 +54,7 @@ int main()
   {
     const std::string name = std::string("cylinder") + extension;
     std::string error;
-    if (!CGAL::IO::write_wireframe(name, wireframe,
-                                   parameters::unit(unit).sampling_step(0.1).error_message(&error)))
+    if (!CGAL::IO::write_wireframe(name, wireframe, parameters::unit(unit).sampling_step(0.1).error_message(&error)))
     {
       std::cerr << error << std::endl;
       return EXIT_FAILURE;

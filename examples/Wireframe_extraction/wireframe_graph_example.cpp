@@ -41,8 +41,7 @@ struct Graph_keeper : CGAL::Wireframe_extraction::Default_visitor
 std::vector<double> ways_from(Vertex start, const Graph& graph)
 {
   const auto points = get(CGAL::vertex_point, graph);
-  const auto length = boost::make_function_property_map<Edge, double>([&](const Edge& e)
-  {
+  const auto length = boost::make_function_property_map<Edge, double>([&](const Edge& e) {
     return std::sqrt(CGAL::squared_distance(points[source(e, graph)], points[target(e, graph)]));
   });
   std::vector<double> ways(num_vertices(graph));
@@ -69,8 +68,8 @@ int main(int argc, char** argv)
   // Pieces that hang together, and, with the formula of Euler, independent cycles.
   std::vector<std::size_t> component(num_vertices(graph));
   const std::size_t pieces = boost::connected_components(graph, component.data());
-  std::cout << num_vertices(graph) << " vertices and " << num_edges(graph) << " edges in " << pieces
-            << " pieces, with " << num_edges(graph) + pieces - num_vertices(graph) << " cycles" << std::endl;
+  std::cout << num_vertices(graph) << " vertices and " << num_edges(graph) << " edges in " << pieces << " pieces, with "
+            << num_edges(graph) + pieces - num_vertices(graph) << " cycles" << std::endl;
 
   // For each corner, how far it is along the curves to the vertex farthest from it.
   for (const Vertex start : CGAL::make_range(vertices(graph)))
@@ -81,8 +80,8 @@ int main(int argc, char** argv)
     for (const double way : ways_from(start, graph))
       if (way < (std::numeric_limits<double>::max)())
         farthest = (std::max)(farthest, way);
-    std::cout << "corner at " << get(CGAL::vertex_point, graph, start) << ": the longest way from it is "
-              << farthest << std::endl;
+    std::cout << "corner at " << get(CGAL::vertex_point, graph, start) << ": the longest way from it is " << farthest
+              << std::endl;
   }
   return EXIT_SUCCESS;
 }

@@ -39,8 +39,8 @@ int main(int argc, char** argv)
     std::cerr << report.message << std::endl;
     return EXIT_FAILURE;
   }
-  std::cout << cloud.size() << " points, " << wireframe.vertices.size() << " vertices, "
-            << wireframe.curves.size() << " curves" << std::endl;
+  std::cout << cloud.size() << " points, " << wireframe.vertices.size() << " vertices, " << wireframe.curves.size()
+            << " curves" << std::endl;
 
   // The extension decides on the format.
   for (const std::string output : {"wireframe.json", "wireframe.obj"})

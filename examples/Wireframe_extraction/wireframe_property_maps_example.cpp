@@ -67,17 +67,15 @@ int main(int argc, char** argv)
 
   // Parameters of this package come first in the chain, those of CGAL itself (such as point_map) last.
   CGAL::Wireframe_extraction_report report;
-  const CGAL::Wireframe<Kernel> wireframe =
-    CGAL::extract_wireframe(points, parameters::distance_map(Distance_map())
-                                      .extraction_report(std::ref(report))
-                                      .point_map(Position_map()));
+  const CGAL::Wireframe<Kernel> wireframe = CGAL::extract_wireframe(
+    points, parameters::distance_map(Distance_map()).extraction_report(std::ref(report)).point_map(Position_map()));
   if (wireframe.is_empty())
   {
     std::cerr << report.message << std::endl;
     return EXIT_FAILURE;
   }
-  std::cout << points.size() << " points, " << wireframe.curves.size() << " curves, "
-            << wireframe.vertices.size() << " vertices:" << std::endl;
+  std::cout << points.size() << " points, " << wireframe.curves.size() << " curves, " << wireframe.vertices.size()
+            << " vertices:" << std::endl;
   for (const Point_3& vertex : wireframe.vertices)
     std::cout << "  " << vertex << std::endl;
   return EXIT_SUCCESS;

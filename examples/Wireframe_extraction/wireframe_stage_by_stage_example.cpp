@@ -60,8 +60,8 @@ int main(int argc, char** argv)
 
   // 6. One spline for each path of the graph between two corners, all fitted to the field together.
   const auto wireframe = stages::fit_curves(skeleton, graph);
-  std::cout << "splines: " << wireframe.vertices.size() << " vertices, " << wireframe.curves.size()
-            << " curves" << std::endl;
+  std::cout << "splines: " << wireframe.vertices.size() << " vertices, " << wireframe.curves.size() << " curves"
+            << std::endl;
 
   // 7. Lines, circles and ellipses in place of the splines that are none; some splines are cut.
   const auto typed = stages::recognize_curve_types(skeleton, wireframe);

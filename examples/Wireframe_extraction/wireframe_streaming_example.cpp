@@ -20,7 +20,8 @@ int main(int argc, char* argv[])
   CGAL::Wireframe_extraction_report report;
   const CGAL::Wireframe<Kernel> wireframe = CGAL::extract_wireframe_from_source<Kernel>(
     file, parameters::points_in_memory(2000).extraction_report(std::ref(report)));
-  if (report.status != CGAL::Wireframe_extraction_report::Status::SUCCESS) {
+  if (report.status != CGAL::Wireframe_extraction_report::Status::SUCCESS)
+  {
     std::cerr << report.message << '\n';
     return EXIT_FAILURE;
   }
@@ -33,13 +34,15 @@ int main(int argc, char* argv[])
       filter.insert(Point_3(first->x, first->y, first->z), first->distance);
     return true;
   });
-  if (!is_read || !filter.is_complete()) {
-    std::cerr << (is_read ? "the density varies too much: points near features were lost" : file.error_message()) << '\n';
+  if (!is_read || !filter.is_complete())
+  {
+    std::cerr << (is_read ? "the density varies too much: points near features were lost" : file.error_message())
+              << '\n';
     return EXIT_FAILURE;
   }
   const double sampling_distance = filter.sampling_distance();
-  const CGAL::Wireframe<Kernel> same
-    = CGAL::extract_wireframe(filter.cloud(), parameters::sampling_distance(sampling_distance));
+  const CGAL::Wireframe<Kernel> same =
+    CGAL::extract_wireframe(filter.cloud(), parameters::sampling_distance(sampling_distance));
   std::cout << filter.cloud().size() << " of " << filter.number_of_points() << " points kept, " << same.curves.size()
             << " curves\n";
   return EXIT_SUCCESS;

@@ -49,10 +49,8 @@ Report::Status extract(const Cloud& cloud, double stop_at)
   Talking_visitor visitor; // passed by reference, so that its members can be asked afterwards
   Report report;
   const std::function<bool(double)> go_on = [stop_at](double fraction) { return fraction < stop_at; };
-  const CGAL::Wireframe<Kernel> wireframe =
-    CGAL::extract_wireframe(cloud, parameters::visitor(std::ref(visitor))
-                                     .extraction_report(std::ref(report))
-                                     .callback(go_on));
+  const CGAL::Wireframe<Kernel> wireframe = CGAL::extract_wireframe(
+    cloud, parameters::visitor(std::ref(visitor)).extraction_report(std::ref(report)).callback(go_on));
   std::cout << "  " << wireframe.curves.size() << " curves; the graph was "
             << (visitor.has_graph ? "reached" : "not reached: ") << report.message << std::endl;
   return report.status;

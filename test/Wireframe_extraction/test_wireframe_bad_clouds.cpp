@@ -22,7 +22,7 @@ namespace {
 
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_3 Point;
-typedef std::vector<std::pair<Point, double> > Cloud;
+typedef std::vector<std::pair<Point, double>> Cloud;
 typedef CGAL::Wireframe<Kernel> Wireframe;
 typedef CGAL::Wireframe_extraction_report Report;
 typedef Report::Status Status;
@@ -46,9 +46,10 @@ void check(const Wireframe& wireframe, const Report& report)
   assert(!wireframe.is_empty() || wireframe.vertices.empty());
   for (const Point& p : wireframe.vertices)
     assert(is_finite(p));
-  for (const Wireframe::Curve& curve : wireframe.curves) {
-    assert(Wireframe::Curve::Spline::is_valid(curve.spline.degree(), curve.spline.knots(),
-                                              curve.spline.control_points()));
+  for (const Wireframe::Curve& curve : wireframe.curves)
+  {
+    assert(
+      Wireframe::Curve::Spline::is_valid(curve.spline.degree(), curve.spline.knots(), curve.spline.control_points()));
     assert(std::isfinite(curve.root_mean_square) && std::isfinite(curve.maximum_deviation));
     const auto range = curve.spline.parameter_range();
     const Point first = curve.spline.point(range.first), last = curve.spline.point(range.second);
@@ -60,7 +61,11 @@ void check(const Wireframe& wireframe, const Report& report)
   }
 }
 
-struct Result { Wireframe wireframe; Report report; };
+struct Result
+{
+  Wireframe wireframe;
+  Report report;
+};
 
 template <class NamedParameters>
 Result run(const Cloud& cloud, const NamedParameters& np)
@@ -104,7 +109,8 @@ bool is_box(const Result& result)
 
 Cloud scaled(Cloud cloud, double of_points, double of_distances)
 {
-  for (auto& sample : cloud) {
+  for (auto& sample : cloud)
+  {
     sample.first = Point(of_points * sample.first.x(), of_points * sample.first.y(), of_points * sample.first.z());
     sample.second *= of_distances;
   }
@@ -116,7 +122,8 @@ Cloud random_points(std::size_t n, double distance)
 {
   Random random(1);
   Cloud cloud;
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < n; ++i)
+  {
     const double x = random.uniform(), y = random.uniform(), z = random.uniform();
     cloud.emplace_back(Point(x, y, z), distance);
   }
@@ -139,9 +146,11 @@ void test_few_points()
 void test_collinear_points()
 {
   Random random(2);
-  for (double shift : {0., 1., 1e6}) {
+  for (double shift : {0., 1., 1e6})
+  {
     Cloud cloud;
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < 1000; ++i)
+    {
       const double t = random.uniform();
       cloud.emplace_back(Point(shift + 0.1 * t, shift - 0.3 * t, 0.77 * t), 0.01 * random.uniform());
     }
@@ -153,7 +162,8 @@ void test_coplanar_points()
 {
   Random random(3);
   Cloud square, far;
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < 5000; ++i)
+  {
     const double x = random.uniform(), y = random.uniform();
     const Point p(x, y, 0.3 * x - 0.7 * y);
     const double to_x = (std::min)(x, 1. - x) / std::hypot(1., 0.3 / std::sqrt(1.49));
@@ -173,7 +183,8 @@ void test_coplanar_points()
 void test_values_that_are_not_finite()
 {
   for (double bad : {nan, infinity, -infinity})
-    for (int coordinate = 0; coordinate < 4; ++coordinate) {
+    for (int coordinate = 0; coordinate < 4; ++coordinate)
+    {
       Cloud cloud = box();
       for (std::size_t i : {std::size_t(17), std::size_t(2711)})
         if (coordinate == 3)
@@ -186,7 +197,7 @@ void test_values_that_are_not_finite()
       assert(refused.report.number_of_skipped_points == 2);
       assert(says(refused.report, "skip_invalid(true)"));
       if (coordinate < 2)
-        continue;   // to save time
+        continue; // to save time
       const Result skipped = run(cloud, WP::skip_invalid(true));
       assert(is_box(skipped) && skipped.report.number_of_skipped_points == 2);
     }
@@ -200,7 +211,7 @@ void test_negative_distances()
   check_refused(cloud, Status::INVALID_INPUT, "19");
   const Result skipped = run(cloud, WP::skip_invalid(true));
   assert(is_box(skipped) && skipped.report.number_of_skipped_points == 1);
-  cloud[19].second = -0.;     // is no negative number
+  cloud[19].second = -0.; // is no negative number
   assert(is_box(run(cloud)));
 
   for (auto& sample : cloud)
@@ -218,8 +229,8 @@ void test_no_feature()
   for (auto& sample : cloud)
     sample.second += 0.25;
   const double smallest = std::min_element(cloud.begin(), cloud.end(), [](const auto& a, const auto& b) {
-    return a.second < b.second;
-  })->second;
+                            return a.second < b.second;
+                          })->second;
   const Result result = run(cloud);
   assert(result.report.status == Status::NO_FEATURE);
   assert(says(result.report, "smallest distance is " + std::to_string(smallest).substr(0, 5)));
@@ -229,34 +240,37 @@ void test_no_feature()
 
 void test_units()
 {
-  for (double factor : {1000., 25.4, 1. / 25.4, 1. / 1000.}) {
+  for (double factor : {1000., 25.4, 1. / 25.4, 1. / 1000.})
+  {
     check_refused(scaled(box(), 1., factor), Status::INVALID_INPUT, "unit");
     // a sampling distance in the unit of the points does not hide that, nor one in that of the distances
     const Result given = run(scaled(box(), 1., factor), WP::sampling_distance(r));
     assert(given.report.status == Status::INVALID_INPUT && says(given.report, "unit"));
-    assert(run(scaled(box(), 1., factor), WP::sampling_distance(factor * r)).report.status
-           == Status::INVALID_INPUT);
+    assert(run(scaled(box(), 1., factor), WP::sampling_distance(factor * r)).report.status == Status::INVALID_INPUT);
     assert(is_box(run(scaled(box(), factor, factor))));
   }
 }
 
 void test_sampling_distance_that_does_not_fit()
 {
-  for (double factor : {1000., 100., 0.01, 0.001, 1e12, 1e-12}) {
+  for (double factor : {1000., 100., 0.01, 0.001, 1e12, 1e-12})
+  {
     const Result result = run(box(), WP::sampling_distance(factor * r));
     assert(result.report.status == Status::INVALID_INPUT && says(result.report, "sampling distance"));
   }
-  for (double bad : {-1., -r, nan, infinity, -infinity}) {
+  for (double bad : {-1., -r, nan, infinity, -infinity})
+  {
     const Result result = run(box(), WP::sampling_distance(bad));
     assert(result.report.status == Status::INVALID_INPUT && says(result.report, "sampling distance"));
   }
   assert(is_box(run(box(), WP::sampling_distance(r))));
-  assert(is_box(run(box(), WP::sampling_distance(0.))));   // stands for the estimate
+  assert(is_box(run(box(), WP::sampling_distance(0.)))); // stands for the estimate
 }
 
 void test_constant_fields()
 {
-  for (double value : {0., 0.01, 1., 1e300}) {
+  for (double value : {0., 0.01, 1., 1e300})
+  {
     Cloud cloud = box();
     for (auto& sample : cloud)
       sample.second = value;
@@ -271,7 +285,7 @@ void test_random_field()
   Cloud cloud = box();
   for (auto& sample : cloud)
     sample.second = 0.1 * random.uniform();
-  run(cloud);   // whatever it finds is finite
+  run(cloud); // whatever it finds is finite
 }
 
 // ---- duplicates and outliers
@@ -281,9 +295,9 @@ void check_same(const Result& a, const Result& b)
   assert(a.wireframe.curves.size() == b.wireframe.curves.size());
   assert(a.wireframe.vertices.size() == b.wireframe.vertices.size());
   for (const Point& p : a.wireframe.vertices)
-    assert(std::count_if(b.wireframe.vertices.begin(), b.wireframe.vertices.end(), [&](const Point& q) {
-      return CGAL::squared_distance(p, q) < 1e-6 * r * r;
-    }) == 1);
+    assert(std::count_if(b.wireframe.vertices.begin(), b.wireframe.vertices.end(),
+                         [&](const Point& q) { return CGAL::squared_distance(p, q) < 1e-6 * r * r; })
+           == 1);
 }
 
 void test_duplicates()
@@ -294,7 +308,8 @@ void test_duplicates()
   twice.insert(twice.end(), box().begin(), box().end());
   for (const auto& sample : box())
     in_turn.insert(in_turn.end(), 3, sample);
-  for (const Cloud& cloud : {twice, in_turn}) {
+  for (const Cloud& cloud : {twice, in_turn})
+  {
     const Result result = run(cloud);
     check_same(once, result);
     assert(result.report.skeleton_size == once.report.skeleton_size);
@@ -319,7 +334,8 @@ void test_equal_points_with_different_distances()
 
 void test_outliers()
 {
-  for (double x : {10., 1e6, 1e9}) {
+  for (double x : {10., 1e6, 1e9})
+  {
     Cloud cloud = box();
     cloud.emplace_back(Point(x, -x, x), 0.);
     assert(is_box(run(cloud)));
@@ -336,7 +352,8 @@ void test_outliers()
 
 void test_huge_coordinates()
 {
-  for (double offset : {1e4, 1e6, 1e8}) {
+  for (double offset : {1e4, 1e6, 1e8})
+  {
     Cloud cloud = box();
     for (auto& sample : cloud)
       sample.first = Point(sample.first.x() + offset, sample.first.y() - offset, sample.first.z() + offset);
@@ -360,32 +377,47 @@ void test_tiny_clouds()
 {
   std::size_t number_of_successes = 0, number_of_failures = 0;
   for (int n = 3; n <= 50; ++n)
-    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    for (std::uint64_t seed = 0; seed < 12; ++seed)
+    {
       Random random(seed, std::uint64_t(n));
       Cloud cloud;
-      for (int i = 0; i < n; ++i) {
+      for (int i = 0; i < n; ++i)
+      {
         double x = random.uniform(), y = random.uniform(), z = random.uniform(), d = random.uniform();
-        switch (seed % 6) {
-          case 0: break;
-          case 1: z = 0.1 * x; break;
-          case 2: d *= 1e-3; break;
-          case 3:     // on a lattice, with duplicates and ties
-            x = std::floor(4. * x); y = std::floor(4. * y); z = std::floor(4. * z); d = std::floor(3. * d);
-            break;
-          case 4: y *= 1e-5; z *= 1e-5; d *= 0.1; break;
-          case 5: y = x * x; z = 0.2 * z; d *= 0.2; break;
+        switch (seed % 6)
+        {
+        case 0: break;
+        case 1: z = 0.1 * x; break;
+        case 2: d *= 1e-3; break;
+        case 3: // on a lattice, with duplicates and ties
+          x = std::floor(4. * x);
+          y = std::floor(4. * y);
+          z = std::floor(4. * z);
+          d = std::floor(3. * d);
+          break;
+        case 4:
+          y *= 1e-5;
+          z *= 1e-5;
+          d *= 0.1;
+          break;
+        case 5:
+          y = x * x;
+          z = 0.2 * z;
+          d *= 0.2;
+          break;
         }
         cloud.emplace_back(Point(x, y, z), d);
       }
       const Result result = run(cloud);
       ++(result.report.status == Status::SUCCESS ? number_of_successes : number_of_failures);
-      switch ((std::uint64_t(n) + seed) % 3) {
-        case 0: run(cloud, WP::paper_defaults()); break;
-        case 1: run(cloud, WP::sampling_distance(0.4)); break;
-        case 2: run(cloud, WP::graph_method(WE::Graph_method::SUBDIVIDED)); break;
+      switch ((std::uint64_t(n) + seed) % 3)
+      {
+      case 0: run(cloud, WP::paper_defaults()); break;
+      case 1: run(cloud, WP::sampling_distance(0.4)); break;
+      case 2: run(cloud, WP::graph_method(WE::Graph_method::SUBDIVIDED)); break;
       }
     }
-  assert(number_of_successes > 0 && number_of_failures > 0);    // both ways were tried
+  assert(number_of_successes > 0 && number_of_failures > 0); // both ways were tried
 }
 
 // ---- parameters out of their ranges
@@ -401,7 +433,8 @@ void refuse_parameter(const NamedParameters& np, const std::string& name)
 void test_parameters_out_of_range()
 {
   const double nan = (std::numeric_limits<double>::quiet_NaN)(), infinity = (std::numeric_limits<double>::infinity)();
-  for (double x : {-1., 0., nan, infinity}) {
+  for (double x : {-1., 0., nan, infinity})
+  {
     refuse_parameter(WP::skeleton_distance(x), "skeleton_distance");
     refuse_parameter(WP::support_distance(x), "support_distance");
     refuse_parameter(WP::fitting_radius(x), "fitting_radius");
@@ -411,7 +444,8 @@ void test_parameters_out_of_range()
     refuse_parameter(WP::split_threshold(x), "split_threshold");
     refuse_parameter(WP::type_significance(x), "type_significance");
   }
-  for (double x : {-1., nan, infinity}) {
+  for (double x : {-1., nan, infinity})
+  {
     refuse_parameter(WP::corner_reach(x), "corner_reach");
     refuse_parameter(WP::maximum_gap(x), "maximum_gap");
     refuse_parameter(WP::minimum_evidence(x), "minimum_evidence");
@@ -423,9 +457,12 @@ void test_parameters_out_of_range()
   // a stage alone has a precondition
   auto skeleton = WE::select_skeleton(box());
   bool is_refused = false;
-  try {
+  try
+  {
     WE::contract_skeleton(skeleton, WP::fitting_radius(-4.));
-  } catch (const CGAL::Precondition_exception&) {
+  }
+  catch (const CGAL::Precondition_exception&)
+  {
     is_refused = true;
   }
   assert(is_refused && !skeleton.is_contracted());
@@ -452,7 +489,8 @@ void test_truncated_fields()
 
 void test_points_far_away()
 {
-  for (double x : {1e12, 1e16, 1e18, 1e30, 3.4028235e38, 1e300}) {
+  for (double x : {1e12, 1e16, 1e18, 1e30, 3.4028235e38, 1e300})
+  {
     Cloud cloud = box();
     cloud.emplace_back(Point(x, 0., 0.), 0.);
     const Result result = run(cloud);
@@ -466,7 +504,8 @@ void test_points_far_away()
 
 void test_odd_parameters()
 {
-  for (double x : {0., 1e-9}) {
+  for (double x : {0., 1e-9})
+  {
     run(box(), WP::skeleton_distance(x));
     run(box(), WP::support_distance(x));
     run(box(), WP::connection_radius(x));

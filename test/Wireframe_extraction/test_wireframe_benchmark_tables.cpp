@@ -21,10 +21,7 @@ namespace {
 using namespace Wireframe_benchmark;
 typedef std::vector<std::string> Words;
 
-void check_near(double value, double expected)
-{
-  assert(std::abs(value - expected) <= 1e-12);
-}
+void check_near(double value, double expected) { assert(std::abs(value - expected) <= 1e-12); }
 
 Benchmark_row row(const std::string& family, const std::string& name, const std::string& field, double chamfer,
                   double curve_f1)
@@ -98,7 +95,7 @@ void test_summary()
   std::vector<Benchmark_row> rows = {row("a", "x", "def", 1, 1), row("a", "y", "def", 3, 0.5),
                                      row("a", "x", "exact", 0.5, 1), failed(row("b", "x", "def", 0, 0))};
   const std::vector<Summary> groups = summarize_groups(rows);
-  assert(groups.size() == 5);   // a def, a exact, b def, and both fields over all
+  assert(groups.size() == 5); // a def, a exact, b def, and both fields over all
   assert(groups[0].family == "a" && groups[0].field == "def" && groups[0].number_of_cases == 2);
   check_near(figure(groups[0], "CD/r md"), 2);
   check_near(figure(groups[0], "CD/r q90"), 2.8);
@@ -144,8 +141,7 @@ void test_csv()
              || (std::isnan(read[i].value(name)) && std::isnan(rows[i].value(name))));
   }
 
-  const auto error_of = [](const std::string& text)
-  {
+  const auto error_of = [](const std::string& text) {
     std::ofstream("bad.csv") << text;
     try
     {
@@ -177,7 +173,7 @@ void test_comparison()
   typedef Case_change::Verdict Verdict;
   const Benchmark_row a = row("a", "x", "def", 1, 0.8);
   assert(verdict(a, a) == Verdict::SAME);
-  assert(verdict(a, row("a", "x", "def", 1.01, 0.8)) == Verdict::SAME);   // within 2 %
+  assert(verdict(a, row("a", "x", "def", 1.01, 0.8)) == Verdict::SAME); // within 2 %
   assert(verdict(a, row("a", "x", "def", 0.9, 0.8)) == Verdict::BETTER);
   assert(verdict(a, row("a", "x", "def", 1.1, 0.8)) == Verdict::WORSE);
   assert(verdict(a, row("a", "x", "def", 1, 0.9)) == Verdict::BETTER);
@@ -197,7 +193,7 @@ void test_comparison()
   assert(text.str().find("Of 2 cases in both runs: 1 better, 1 worse, 0 mixed, 0 the same; 1 only before, 1 only now.")
          == 0);
   assert(text.str().find("0.800 -> 0.500") != std::string::npos);
-  assert(text.str().find("0.800 -> 0.700") != std::string::npos);   // the mean
+  assert(text.str().find("0.800 -> 0.700") != std::string::npos); // the mean
 
   std::ostringstream nothing;
   write_comparison(nothing, compare_rows({}, {}), false);

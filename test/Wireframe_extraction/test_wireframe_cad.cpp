@@ -52,12 +52,12 @@ typedef CGAL::Wireframe_curve_type Type;
 typedef CGAL::Wireframe_extraction::Length_unit Unit;
 typedef CGAL::Wireframe_extraction::Step_schema Schema;
 
-const char* const extensions[] = { ".step", ".iges", ".brep" };
+const char* const extensions[] = {".step", ".iges", ".brep"};
 
 // Says what is wrong before it ends the test.
 void check(bool is_right, const std::string& what)
 {
-  if(!is_right)
+  if (!is_right)
     std::cerr << "wrong: " << what << std::endl;
   assert(is_right);
 }
@@ -77,10 +77,7 @@ public:
 
   Wireframe wireframe;
 
-  Point point(double x, double y, double z) const
-  {
-    return CGAL::ORIGIN + m_scale * (Vector(x, y, z) + m_shift);
-  }
+  Point point(double x, double y, double z) const { return CGAL::ORIGIN + m_scale * (Vector(x, y, z) + m_shift); }
 
   std::size_t vertex(double x, double y, double z)
   {
@@ -92,7 +89,7 @@ public:
   {
     Curve curve;
     curve.type = Type::LINE;
-    curve.spline = Curve::Spline(1, { 0, 0, 1, 1 }, { wireframe.vertices[source], wireframe.vertices[target] });
+    curve.spline = Curve::Spline(1, {0, 0, 1, 1}, {wireframe.vertices[source], wireframe.vertices[target]});
     return add(curve, source, target);
   }
 
@@ -123,15 +120,15 @@ public:
     const bool is_full = type == Type::CIRCLE || type == Type::ELLIPSE;
     curve.spline = curve.conic.to_spline(is_full);
     std::size_t target = source;
-    if(has_vertices)
+    if (has_vertices)
     {
-      if(source == Curve::no_vertex)
+      if (source == Curve::no_vertex)
       {
         wireframe.vertices.push_back(curve.spline.control_points().front());
         source = wireframe.vertices.size() - 1;
       }
       target = source;
-      if(!is_full)
+      if (!is_full)
       {
         wireframe.vertices.push_back(curve.spline.control_points().back());
         target = wireframe.vertices.size() - 1;
@@ -167,22 +164,21 @@ Wireframe make_sample(double scale = 1.)
   b.line(v2, 1);
   b.line(v2, v3);
   const Point start = b.wireframe.vertices[0], end = b.wireframe.vertices[v3];
-  b.spline(2, { 0, 0, 0, 1, 2, 2, 2 }, { start, b.point(2, -1, 1), b.point(-1, -3, 2), end }, 0, v3, false,
-           { 1, 0.5, 2, 1 });
+  b.spline(2, {0, 0, 0, 1, 2, 2, 2}, {start, b.point(2, -1, 1), b.point(-1, -3, 2), end}, 0, v3, false, {1, 0.5, 2, 1});
   // the branching
   b.conic(Type::ELLIPTIC_ARC, b.point(10, 0, 0), skew, across, 3, 1.25, 0.4, 4.4);
   const std::size_t center = b.wireframe.curves.back().source;
   const std::size_t v6 = b.vertex(9, 9, 9), v7 = b.vertex(12, -4, 1. / 3.);
   b.line(center, v6);
   const Point p = b.wireframe.vertices[center];
-  b.spline(3, { 0, 0, 0, 0, 0.3, 1, 1, 1, 1 },
-           { p, b.point(11, 1, 1), b.point(13, 1, 4), b.point(13, -3, 2), b.wireframe.vertices[v7] }, center, v7);
+  b.spline(3, {0, 0, 0, 0, 0.3, 1, 1, 1, 1},
+           {p, b.point(11, 1, 1), b.point(13, 1, 4), b.point(13, -3, 2), b.wireframe.vertices[v7]}, center, v7);
   // what is alone
   b.conic(Type::CIRCLE, b.point(0, 10, 0), skew, across, 1.5, 1.5, 0, 2 * CGAL_PI, false);
   b.conic(Type::ELLIPSE, b.point(0, 15, 0), -skew, across, 2, 0.75, 1, 1 + 2 * CGAL_PI, false);
   const std::size_t v8 = b.vertex(0, 20, 0);
-  b.spline(2, { 0, 0, 0, 1, 2, 3, 3, 3 },
-           { b.point(0, 20, 0), b.point(2, 20, 0), b.point(2, 24, 1), b.point(-2, 20, 0), b.point(0, 20, 0) }, v8, v8,
+  b.spline(2, {0, 0, 0, 1, 2, 3, 3, 3},
+           {b.point(0, 20, 0), b.point(2, 20, 0), b.point(2, 24, 1), b.point(-2, 20, 0), b.point(0, 20, 0)}, v8, v8,
            true);
   // a circle with a tail
   b.conic(Type::CIRCLE, b.point(0, 0, 10), across, skew, 2.5, 2.5);
@@ -190,17 +186,17 @@ Wireframe make_sample(double scale = 1.)
   b.line(b.wireframe.curves.back().source, v10);
   // a drop
   const std::size_t v11 = b.vertex(20, 20, 20);
-  b.spline(3, { 0, 0, 0, 0, 7, 7, 7, 7 },
-           { b.point(20, 20, 20), b.point(24, 20, 20), b.point(20, 25, 21), b.point(20, 20, 20) }, v11, v11);
+  b.spline(3, {0, 0, 0, 0, 7, 7, 7, 7},
+           {b.point(20, 20, 20), b.point(24, 20, 20), b.point(20, 25, 21), b.point(20, 20, 20)}, v11, v11);
   return b.wireframe;
 }
 
 double size_of(const Wireframe& wireframe)
 {
-  double low[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, high[3] = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
-  for(const Curve& curve : wireframe.curves)
-    for(const Point& point : curve.spline.control_points())
-      for(int k = 0; k < 3; ++k)
+  double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  for (const Curve& curve : wireframe.curves)
+    for (const Point& point : curve.spline.control_points())
+      for (int k = 0; k < 3; ++k)
       {
         low[k] = (std::min)(low[k], point[k]);
         high[k] = (std::max)(high[k], point[k]);
@@ -214,12 +210,12 @@ TopoDS_Shape read_shape(const std::string& name)
 {
   const std::string extension = fs::path(name).extension().string();
   TopoDS_Shape shape;
-  if(extension == ".brep")
+  if (extension == ".brep")
   {
     const bool is_read = BRepTools::Read(shape, name.c_str(), BRep_Builder());
     check(is_read, name);
   }
-  else if(extension == ".step" || extension == ".stp")
+  else if (extension == ".step" || extension == ".stp")
   {
     STEPControl_Reader reader;
     check(reader.ReadFile(name.c_str()) == IFSelect_RetDone, name);
@@ -239,7 +235,7 @@ TopoDS_Shape read_shape(const std::string& name)
 
 GeomAbs_CurveType expected_kind(Type type)
 {
-  switch(type)
+  switch (type)
   {
   case Type::LINE: return GeomAbs_Line;
   case Type::CIRCLE:
@@ -259,7 +255,7 @@ double length_of(const TopoDS_Shape& edge)
 double deviation(const BRepAdaptor_Curve& edge, const Curve& curve, double scale)
 {
   double largest = 0.;
-  for(int i = 0; i <= 16; ++i)
+  for (int i = 0; i <= 16; ++i)
   {
     const gp_Pnt p = edge.Value(edge.FirstParameter() + i / 16. * (edge.LastParameter() - edge.FirstParameter()));
     const Point query(p.X() / scale, p.Y() / scale, p.Z() / scale);
@@ -272,13 +268,14 @@ void check_parameters(const BRepAdaptor_Curve& edge, const Curve& curve, double 
                       const std::string& what)
 {
   const double major = scale * curve.conic.major_radius, minor = scale * curve.conic.minor_radius;
-  if(edge.GetType() == GeomAbs_Circle)
+  if (edge.GetType() == GeomAbs_Circle)
     check(std::abs(edge.Circle().Radius() - major) <= scale * tolerance, what + ": radius");
-  if(edge.GetType() == GeomAbs_Ellipse)
+  if (edge.GetType() == GeomAbs_Ellipse)
     check(std::abs(edge.Ellipse().MajorRadius() - major) <= scale * tolerance
-            && std::abs(edge.Ellipse().MinorRadius() - minor) <= scale * tolerance, what + ": radii");
+            && std::abs(edge.Ellipse().MinorRadius() - minor) <= scale * tolerance,
+          what + ": radii");
   // a reader may make a closed B-spline periodic, with fewer control points
-  if(edge.GetType() == GeomAbs_BSplineCurve)
+  if (edge.GetType() == GeomAbs_BSplineCurve)
     check(edge.Degree() == int(curve.spline.degree()) && edge.IsRational() == curve.spline.is_rational()
             && (edge.IsPeriodic() || edge.NbPoles() == int(curve.spline.control_points().size())),
           what + ": B-spline");
@@ -292,17 +289,17 @@ void check_edges(const TopoDS_Shape& shape, const Wireframe& wireframe, double s
   TopExp::MapShapes(shape, TopAbs_EDGE, edges);
   check(edges.Extent() == int(wireframe.curves.size()), what + ": number of edges");
   std::vector<bool> is_used(wireframe.curves.size(), false);
-  for(std::size_t i = 0; i < wireframe.curves.size(); ++i)
+  for (std::size_t i = 0; i < wireframe.curves.size(); ++i)
   {
     const Curve& curve = wireframe.curves[i];
     const std::string name = what + ", curve " + std::to_string(i);
     bool is_found = false;
-    for(int k = 1; k <= edges.Extent() && !is_found; ++k)
+    for (int k = 1; k <= edges.Extent() && !is_found; ++k)
     {
       const BRepAdaptor_Curve edge(TopoDS::Edge(edges(k)));
-      if(is_used[std::size_t(k) - 1] || edge.GetType() != expected_kind(curve.type)
-         || std::abs(length_of(edges(k)) - scale * curve.spline.length()) > scale * tolerance
-         || deviation(edge, curve, scale) > tolerance)
+      if (is_used[std::size_t(k) - 1] || edge.GetType() != expected_kind(curve.type)
+          || std::abs(length_of(edges(k)) - scale * curve.spline.length()) > scale * tolerance
+          || deviation(edge, curve, scale) > tolerance)
         continue;
       is_found = is_used[std::size_t(k) - 1] = true;
       check_parameters(edge, curve, scale, tolerance, name);
@@ -324,10 +321,10 @@ int number_of_ends(const TopoDS_Shape& shape, double tolerance)
   TopTools_IndexedMapOfShape vertices;
   TopExp::MapShapes(shape, TopAbs_VERTEX, vertices);
   std::vector<gp_Pnt> ends;
-  for(int i = 1; i <= vertices.Extent(); ++i)
+  for (int i = 1; i <= vertices.Extent(); ++i)
   {
     const gp_Pnt p = BRep_Tool::Pnt(TopoDS::Vertex(vertices(i)));
-    if(std::none_of(ends.begin(), ends.end(), [&](const gp_Pnt& q) { return p.Distance(q) <= tolerance; }))
+    if (std::none_of(ends.begin(), ends.end(), [&](const gp_Pnt& q) { return p.Distance(q) <= tolerance; }))
       ends.push_back(p);
   }
   return int(ends.size());
@@ -339,7 +336,7 @@ std::vector<int> closed_wires(const TopoDS_Shape& shape)
   TopTools_IndexedMapOfShape wires;
   TopExp::MapShapes(shape, TopAbs_WIRE, wires);
   std::vector<int> result;
-  for(int i = 1; i <= wires.Extent(); ++i)
+  for (int i = 1; i <= wires.Extent(); ++i)
   {
     check(BRep_Tool::IsClosed(wires(i)), "a wire is closed");
     TopTools_IndexedMapOfShape edges, vertices;
@@ -356,8 +353,8 @@ std::string write(const std::string& name, const Wireframe& wireframe, Unit unit
                   Schema schema = Schema::AP214)
 {
   std::string error = "not cleared";
-  const bool is_written = CGAL::IO::write_wireframe(
-    name, wireframe, parameters::error_message(&error).unit(unit).step_schema(schema));
+  const bool is_written =
+    CGAL::IO::write_wireframe(name, wireframe, parameters::error_message(&error).unit(unit).step_schema(schema));
   check(is_written && error.empty(), name + ": " + error);
   return name;
 }
@@ -368,7 +365,7 @@ void test_sample(double scale)
 {
   const Wireframe wireframe = make_sample(scale);
   const double tolerance = 1e-9 * size_of(wireframe);
-  for(const std::string extension : extensions)
+  for (const std::string extension : extensions)
   {
     const std::string what = extension + " at scale " + std::to_string(scale);
     const TopoDS_Shape shape = read_shape(write("sample" + extension, wireframe));
@@ -376,10 +373,10 @@ void test_sample(double scale)
     const int isolated = 2; // the closed curves without vertex start somewhere too
     check(number_of_ends(shape, tolerance) == int(wireframe.vertices.size()) + isolated, what + ": ends");
     const std::vector<int> wires = closed_wires(shape);
-    if(extension == ".brep")
+    if (extension == ".brep")
     {
       check(number_of_vertices(shape) == int(wireframe.vertices.size()) + isolated, what + ": shared vertices");
-      check(wires == std::vector<int>({ 1, 1, 1, 1, 4 }), what + ": closed wires");
+      check(wires == std::vector<int>({1, 1, 1, 1, 4}), what + ": closed wires");
     }
     else
       check(!wires.empty() && wires.back() == 4, what + ": the loop is a closed wire");
@@ -395,12 +392,12 @@ void test_units()
   b.conic(Type::ELLIPTIC_ARC, b.point(1, 2, 3), skew, across, 2, 1, 0.5, 2);
   b.conic(Type::CIRCLE, b.point(1, 2, 3), skew, across, 2, 2);
   b.conic(Type::ELLIPSE, b.point(1, 2, 3), skew, across, 3, 2);
-  const std::pair<Unit, double> millimeters[] = { { Unit::MICROMETER, 1e-3 }, { Unit::MILLIMETER, 1. },
-                                                  { Unit::CENTIMETER, 10. },  { Unit::METER, 1000. },
-                                                  { Unit::INCH, 25.4 },       { Unit::FOOT, 304.8 } };
-  for(const std::string extension : extensions)
-    for(const auto& unit : millimeters)
-      for(const Schema schema : { Schema::AP214, Schema::AP242 })
+  const std::pair<Unit, double> millimeters[] = {{Unit::MICROMETER, 1e-3}, {Unit::MILLIMETER, 1.},
+                                                 {Unit::CENTIMETER, 10.},  {Unit::METER, 1000.},
+                                                 {Unit::INCH, 25.4},       {Unit::FOOT, 304.8}};
+  for (const std::string extension : extensions)
+    for (const auto& unit : millimeters)
+      for (const Schema schema : {Schema::AP214, Schema::AP242})
         check_edges(read_shape(write("unit" + extension, b.wireframe, unit.first, schema)), b.wireframe,
                     extension == ".brep" ? 1. : unit.second,
                     extension + " in units of " + std::to_string(unit.second) + " mm");
@@ -420,7 +417,7 @@ void test_schemas()
 std::size_t count(const std::string& text, const std::string& word)
 {
   std::size_t result = 0;
-  for(std::size_t i = text.find(word); i != std::string::npos; i = text.find(word, i + 1))
+  for (std::size_t i = text.find(word); i != std::string::npos; i = text.find(word, i + 1))
     ++result;
   return result;
 }
@@ -430,14 +427,15 @@ void test_loop_in_step()
 {
   const std::string file = read_file(write("loop.step", make_sample()));
   check(count(file, "COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.T.,") == 2
-          && count(file, "COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.F.,") == 2, "directions in the loop");
+          && count(file, "COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.F.,") == 2,
+        "directions in the loop");
 }
 
 // The same wireframe gives the same bytes, in a file or a stream, and however many were written before.
 void test_determinism()
 {
   const Wireframe wireframe = make_sample();
-  for(const std::string extension : extensions)
+  for (const std::string extension : extensions)
   {
     const std::string first = read_file(write("first" + extension, wireframe));
     write("other" + extension, make_sample(2.), Unit::INCH, Schema::AP242);
@@ -445,9 +443,9 @@ void test_determinism()
     check(extension == ".brep" || count(first, extension == ".step" ? "2000-01-01T00:00:00" : "20000101.000000") > 0,
           extension + " has always the same date");
     std::ostringstream stream;
-    const bool is_written = extension == ".step"   ? CGAL::IO::write_wireframe_step(stream, wireframe)
-                            : extension == ".iges" ? CGAL::IO::write_wireframe_iges(stream, wireframe)
-                                                   : CGAL::IO::write_wireframe_brep(stream, wireframe);
+    const bool is_written = extension == ".step" ? CGAL::IO::write_wireframe_step(stream, wireframe)
+      : extension == ".iges"                     ? CGAL::IO::write_wireframe_iges(stream, wireframe)
+                                                 : CGAL::IO::write_wireframe_brep(stream, wireframe);
     check(is_written && stream.str() == first, extension + " is the same in a stream");
   }
 }
@@ -459,21 +457,21 @@ void test_gap()
   b.vertex(0, 0, 0);
   b.vertex(3, 4, 0);
   b.line(0, 1);
-  b.spline(2, { 0, 0, 0, 1, 1, 1 }, { b.point(3, 4, 0), b.point(5, 5, 5), b.point(0, 0, 0) }, 1, 0);
+  b.spline(2, {0, 0, 0, 1, 1, 1}, {b.point(3, 4, 0), b.point(5, 5, 5), b.point(0, 0, 0)}, 1, 0);
   b.wireframe.vertices[1] = Point(3, 4, 2e-6);
   const TopoDS_Shape shape = read_shape(write("gap.brep", b.wireframe));
-  check(closed_wires(shape) == std::vector<int>({ 2 }), "the wire is closed in spite of the gap");
+  check(closed_wires(shape) == std::vector<int>({2}), "the wire is closed in spite of the gap");
   TopTools_IndexedMapOfShape vertices;
   TopExp::MapShapes(shape, TopAbs_VERTEX, vertices);
   double largest = 0.;
-  for(int i = 1; i <= vertices.Extent(); ++i)
+  for (int i = 1; i <= vertices.Extent(); ++i)
     largest = (std::max)(largest, BRep_Tool::Tolerance(TopoDS::Vertex(vertices(i))));
   check(largest >= 2e-6 && largest < 3e-6, "the tolerance covers the gap");
 }
 
 void check_refused(const Wireframe& wireframe, const std::string& reason)
 {
-  for(const std::string extension : extensions)
+  for (const std::string extension : extensions)
   {
     const std::string name = "refused" + extension;
     std::ofstream(name) << "old";
@@ -485,7 +483,7 @@ void check_refused(const Wireframe& wireframe, const std::string& reason)
     std::ostringstream stream;
     check(!CGAL::IO::write_wireframe_brep(stream, wireframe) && stream.str().empty(), "nothing is in the stream");
   }
-  for(const auto& entry : fs::directory_iterator("."))
+  for (const auto& entry : fs::directory_iterator("."))
     check(entry.path().string().find("partial") == std::string::npos, "nothing is left behind");
 }
 
@@ -508,7 +506,7 @@ void test_refused()
   std::vector<double> knots(degree + 1, 0.);
   knots.insert(knots.end(), degree + 1, 1.);
   std::vector<Point> points;
-  for(std::size_t i = 0; i <= degree; ++i)
+  for (std::size_t i = 0; i <= degree; ++i)
     points.push_back(Point(double(i), i == 0 || i == degree ? 0. : 1., 0.));
   high.vertex(0, 0, 0);
   high.vertex(double(degree), 0, 0);
@@ -518,14 +516,14 @@ void test_refused()
   Builder crooked(1.);
   crooked.vertex(0, 0, 0);
   crooked.vertex(2, 0, 0);
-  crooked.spline(2, { 0, 0, 0, 1, 1, 1 }, { Point(0, 0, 0), Point(1, 1, 0), Point(2, 0, 0) }, 0, 1).type = Type::LINE;
+  crooked.spline(2, {0, 0, 0, 1, 1, 1}, {Point(0, 0, 0), Point(1, 1, 0), Point(2, 0, 0)}, 0, 1).type = Type::LINE;
   check_refused(crooked.wireframe, "not on one");
 
   Builder dense(1.);
   dense.vertex(0, 0, 0);
   dense.vertex(3, 0, 0);
-  dense.spline(1, { 0, 0, 0.5, std::nextafter(0.5, 1.), 1, 1 },
-               { Point(0, 0, 0), Point(1, 1, 0), Point(2, 1, 0), Point(3, 0, 0) }, 0, 1);
+  dense.spline(1, {0, 0, 0.5, std::nextafter(0.5, 1.), 1, 1},
+               {Point(0, 0, 0), Point(1, 1, 0), Point(2, 1, 0), Point(3, 0, 0)}, 0, 1);
   check_refused(dense.wireframe, "knots");
 
   Builder flat(1.);
@@ -540,13 +538,14 @@ void test_exception()
 {
   std::ostringstream stream;
   std::string error;
-  const bool is_written = CGAL::IO::internal::write_with_opencascade(stream,
-    [](CGAL::IO::internal::Opencascade_session& session, std::ostream& text, std::string&)
-    {
+  const bool is_written = CGAL::IO::internal::write_with_opencascade(
+    stream,
+    [](CGAL::IO::internal::Opencascade_session& session, std::ostream& text, std::string&) {
       text << "half";
       session.set("no.such.setting", "1");
       return true;
-    }, error);
+    },
+    error);
   check(!is_written && stream.str().empty() && error.find("no.such.setting") != std::string::npos,
         "exception: " + error);
 }
@@ -554,12 +553,13 @@ void test_exception()
 void test_unwritable()
 {
   const Wireframe wireframe = make_sample();
-  for(const std::string extension : extensions)
+  for (const std::string extension : extensions)
   {
     std::string error;
     const std::string name = "no_such_folder/part" + extension;
     check(!CGAL::IO::write_wireframe(name, wireframe, parameters::error_message(&error))
-            && error.find(name + ": cannot be written") == 0, error);
+            && error.find(name + ": cannot be written") == 0,
+          error);
     std::ostringstream broken;
     broken.setstate(std::ios::badbit);
     error.clear();
@@ -580,7 +580,7 @@ void test_surroundings()
   std::streambuf* const old_err = std::cerr.rdbuf(out.rdbuf());
   messenger->AddPrinter(new Message_PrinterOStream(Message_Trace));
   const int number_of_printers = messenger->Printers().Length();
-  for(const std::string extension : extensions)
+  for (const std::string extension : extensions)
     write("quiet" + extension, make_sample(), Unit::FOOT, Schema::AP242);
   const bool has_printers = number_of_printers > 0 && messenger->Printers().Length() == number_of_printers;
   messenger->RemovePrinters(STANDARD_TYPE(Message_Printer));
@@ -589,19 +589,20 @@ void test_surroundings()
   check(out.str().empty(), "OpenCASCADE said: " + out.str());
   check(has_printers, "the printers of the messenger are there again");
   check(unit == Interface_Static::CVal("write.step.unit") && schema == Interface_Static::CVal("write.step.schema")
-          && factor == UnitsMethods::GetCasCadeLengthUnit(), "the settings are as before");
+          && factor == UnitsMethods::GetCasCadeLengthUnit(),
+        "the settings are as before");
 }
 
 // With arguments, it only writes the sample into files of these names, for other programs to read.
 int main(int argc, char** argv)
 {
-  for(int i = 1; i < argc; ++i)
+  for (int i = 1; i < argc; ++i)
     write(argv[i], make_sample());
-  if(argc > 1)
+  if (argc > 1)
     return 0;
   test_determinism(); // first, when OpenCASCADE has not written anything yet
   test_surroundings();
-  for(const double scale : { 1., 1e-3, 1e6 })
+  for (const double scale : {1., 1e-3, 1e6})
     test_sample(scale);
   test_units();
   test_schemas();

@@ -58,10 +58,12 @@ Station station(const Vector& place, const Vector& tangent, double deviation)
   return result;
 }
 
-std::vector<Station> stations_on(const Primitive_curve& curve, double from, double to, std::size_t count, double deviation)
+std::vector<Station> stations_on(const Primitive_curve& curve, double from, double to, std::size_t count,
+                                 double deviation)
 {
   std::vector<Station> result;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; ++i)
+  {
     const Vector place = at(curve, from + (to - from) * (double(i) + 0.5) / double(count));
     result.push_back(station(place, (to > from ? 1. : -1.) * curve.tangent(place), deviation));
   }
@@ -79,13 +81,15 @@ std::vector<Station> stations_along(const std::function<Vector(double)>& positio
 
 std::vector<Curve_piece> cut(const std::vector<Station>& stations, bool is_closed = false, double density = 0.7)
 {
-  return Curve_cutter(stations, density, {{stations.front().position, stations.back().position}}, is_closed, 0.001).run();
+  return Curve_cutter(stations, density, {{stations.front().position, stations.back().position}}, is_closed, 0.001)
+    .run();
 }
 
 void test_feet()
 {
   for (int round = 0; round < 300; ++round)
-    for (const Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE, Primitive_kind::ELLIPSE}) {
+    for (const Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE, Primitive_kind::ELLIPSE})
+    {
       const Primitive_curve curve = random_curve(kind);
       const Vector p = curve.center + uniform(0.1, 30.) * random_direction();
       const Vector foot = curve.foot(p);
@@ -93,20 +97,21 @@ void test_feet()
       assert((at(curve, curve.parameter(p)) - foot).norm() < 1e-9);
       assert(std::abs(curve.tangent(p).dot(p - foot)) < 1e-7 * (1. + (p - foot).norm()));
       for (int k = 0; k < 100; ++k)
-        assert((p - foot).norm() <= (p - at(curve, kind == Primitive_kind::LINE ? uniform(-30., 30.) : 0.02 * pi * k)).norm()
-                                      + 1e-9);
+        assert((p - foot).norm()
+               <= (p - at(curve, kind == Primitive_kind::LINE ? uniform(-30., 30.) : 0.02 * pi * k)).norm() + 1e-9);
     }
 }
 
 void test_through_points()
 {
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < 300; ++round)
+  {
     const Primitive_curve circle = random_curve(Primitive_kind::CIRCLE);
     const double start = uniform(-pi, pi);
     const Vector a = circle.at(start), b = circle.at(start + uniform(0.5, 1.5)), c = circle.at(start + uniform(2., 5.));
     const Primitive_curve same = Primitive_curve::circle(a, b, c);
     assert((same.center - circle.center).norm() < 1e-8 && std::abs(same.major_radius - circle.major_radius) < 1e-8);
-    assert((same.axis - circle.axis).norm() < 1e-8);   // from a through b to c is counterclockwise
+    assert((same.axis - circle.axis).norm() < 1e-8); // from a through b to c is counterclockwise
     const Primitive_curve ellipse = random_curve(Primitive_kind::ELLIPSE);
     const double turn = uniform(-pi, pi);
     const Primitive_curve twin = Primitive_curve::ellipse(ellipse.center, ellipse.at(turn) - ellipse.center,
@@ -122,7 +127,8 @@ void test_through_points()
 void test_probability()
 {
   const double table[4][3] = {{1., 10.828, 0.001}, {5., 15.086, 0.01}, {20., 28.412, 0.1}, {100., 99.334, 0.5}};
-  for (const auto& row : table) {
+  for (const auto& row : table)
+  {
     // half of the 2 n - 4 degrees of freedom, and half of the squares count
     const std::size_t n = std::size_t(row[0] + 2.);
     Misfit misfit;
@@ -139,15 +145,18 @@ void test_probability()
 // Fits meet the true parameters, as closely as they claim; and true curves are refused as seldom as was asked for.
 void test_fits()
 {
-  for (const Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE, Primitive_kind::ELLIPSE}) {
+  for (const Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE, Primitive_kind::ELLIPSE})
+  {
     const int rounds = 1000;
     int refused = 0;
     double position = 0., radius = 0.;
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < rounds; ++round)
+    {
       const Primitive_curve curve = random_curve(kind);
       const double deviation = uniform(0.005, 0.2);
       const double sweep = kind == Primitive_kind::LINE ? uniform(5., 50.) : uniform(pi, 2. * pi);
-      const std::size_t count = std::size_t(kind == Primitive_kind::LINE ? sweep / 1.5 : sweep * curve.minor_radius / 1.5);
+      const std::size_t count =
+        std::size_t(kind == Primitive_kind::LINE ? sweep / 1.5 : sweep * curve.minor_radius / 1.5);
       if (count < 8)
         continue;
       const std::vector<Station> stations = stations_on(curve, -0.5 * sweep, 0.5 * sweep, count, deviation);
@@ -155,11 +164,14 @@ void test_fits()
       assert(fit.is_valid);
       const Primitive_fit::Covariance covariance = fit.covariance(Station_range(stations, 0, count));
       refused += fit.misfit.probability(curve.number_of_parameters()) < 0.001;
-      if (kind == Primitive_kind::LINE) {
-        position += (fit.curve.center - curve.foot(fit.curve.center)).squaredNorm()
-          / (covariance(0, 0) + covariance(1, 1));
+      if (kind == Primitive_kind::LINE)
+      {
+        position +=
+          (fit.curve.center - curve.foot(fit.curve.center)).squaredNorm() / (covariance(0, 0) + covariance(1, 1));
         assert(std::abs(fit.curve.axis.dot(curve.axis)) > 1. - 1e-2);
-      } else {
+      }
+      else
+      {
         position += (fit.curve.center - curve.center).squaredNorm() / covariance.topLeftCorner<3, 3>().trace();
         const int r = kind == Primitive_kind::CIRCLE ? 5 : 6;
         radius += std::pow(fit.curve.major_radius - curve.major_radius, 2) / covariance(r, r);
@@ -176,13 +188,15 @@ void test_fits()
 void test_outliers()
 {
   int found = 0;
-  for (int round = 0; round < 100; ++round) {
+  for (int round = 0; round < 100; ++round)
+  {
     const Primitive_curve circle = random_curve(Primitive_kind::CIRCLE);
     std::vector<Station> stations = stations_on(circle, 0., 2. * pi, 40, 0.02);
     for (int k = 0; k < 2; ++k)
       stations[std::size_t(uniform(1., 38.))].position += 0.8 * random_direction();
     const std::vector<Curve_piece> pieces = cut(stations, true);
-    if (pieces.size() == 1 && pieces[0].fit && pieces[0].fit->curve.kind == Primitive_kind::CIRCLE) {
+    if (pieces.size() == 1 && pieces[0].fit && pieces[0].fit->curve.kind == Primitive_kind::CIRCLE)
+    {
       ++found;
       assert(std::abs(pieces[0].fit->curve.major_radius - circle.major_radius) < 0.1);
     }
@@ -194,12 +208,14 @@ void test_kinds()
 {
   for (const double deviation : {0.008, 0.05, 0.15})
     for (int round = 0; round < 50; ++round)
-      for (const Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE, Primitive_kind::ELLIPSE}) {
+      for (const Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE, Primitive_kind::ELLIPSE})
+      {
         Primitive_curve curve = random_curve(kind);
         curve.major_radius += 6.;
         curve.minor_radius = kind == Primitive_kind::ELLIPSE ? 0.6 * curve.major_radius : curve.major_radius;
         const bool is_closed = kind != Primitive_kind::LINE;
-        const std::vector<Curve_piece> pieces = cut(stations_on(curve, 0., is_closed ? 2. * pi : 40., 40, deviation), is_closed);
+        const std::vector<Curve_piece> pieces =
+          cut(stations_on(curve, 0., is_closed ? 2. * pi : 40., 40, deviation), is_closed);
         assert(pieces.size() == 1 && pieces[0].fit && pieces[0].fit->curve.kind == kind);
       }
 }
@@ -214,7 +230,8 @@ void test_support()
   for (std::size_t i = 4; i < 16; ++i)
     stations[i].support = 0;
   const std::vector<Curve_piece> pieces = cut(stations);
-  assert(std::none_of(pieces.begin(), pieces.end(), [](const Curve_piece& piece) { return piece.fit && piece.size == 20; }));
+  assert(
+    std::none_of(pieces.begin(), pieces.end(), [](const Curve_piece& piece) { return piece.fit && piece.size == 20; }));
 }
 
 // two lines of length 20 and two half circles of radius 6
@@ -232,19 +249,22 @@ Vector on_slot(double s)
 void test_cuts()
 {
   for (const double deviation : {0.008, 0.1})
-    for (int round = 0; round < 20; ++round) {
+    for (int round = 0; round < 20; ++round)
+    {
       const double start = uniform(0., 80.);
-      const std::vector<Curve_piece> slot = cut(stations_along([&](double s) { return on_slot(s + start); },
-                                                               40. + 12. * pi, deviation), true);
+      const std::vector<Curve_piece> slot =
+        cut(stations_along([&](double s) { return on_slot(s + start); }, 40. + 12. * pi, deviation), true);
       assert(slot.size() == 4);
-      for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t i = 0; i < 4; ++i)
+      {
         assert(slot[i].fit && slot[i].is_line() != slot[(i + 1) % 4].is_line());
         assert(slot[i].is_line() || std::abs(slot[i].fit->curve.major_radius - 6.) < 0.4);
       }
     }
   // a line that goes on in an arc
   const auto hook = [](double s) {
-    return s < 20. ? Vector(s, 0., 0.) : Vector(20. + 10. * std::sin(0.1 * (s - 20.)), 10. - 10. * std::cos(0.1 * (s - 20.)), 0.);
+    return s < 20. ? Vector(s, 0., 0.)
+                   : Vector(20. + 10. * std::sin(0.1 * (s - 20.)), 10. - 10. * std::cos(0.1 * (s - 20.)), 0.);
   };
   const std::vector<Curve_piece> pieces = cut(stations_along(hook, 40., 0.01));
   assert(pieces.size() == 2 && pieces[0].is_line() && pieces[1].fit && !pieces[1].is_line());
@@ -259,11 +279,13 @@ void test_cuts()
 void test_splines_stay()
 {
   // a helix, a spiral and a wave
-  const std::array<std::function<Vector(double)>, 3> curves = {{
-    [](double s) { return Vector(8. * std::cos(0.1 * s), 8. * std::sin(0.1 * s), 0.6 * s); },
-    [](double s) { const double a = std::sqrt(0.4 * s + 1.); return Vector(5. * a * std::cos(a), 5. * a * std::sin(a), 0.); },
-    [](double s) { return Vector(s, 6. * std::sin(0.15 * s), 4. * std::cos(0.1 * s)); }
-  }};
+  const std::array<std::function<Vector(double)>, 3> curves = {
+    {[](double s) { return Vector(8. * std::cos(0.1 * s), 8. * std::sin(0.1 * s), 0.6 * s); },
+     [](double s) {
+       const double a = std::sqrt(0.4 * s + 1.);
+       return Vector(5. * a * std::cos(a), 5. * a * std::sin(a), 0.);
+     },
+     [](double s) { return Vector(s, 6. * std::sin(0.15 * s), 4. * std::cos(0.1 * s)); }}};
   for (const auto& curve : curves)
     for (int round = 0; round < 10; ++round)
       for (const Curve_piece& piece : cut(stations_along(curve, 90., 0.01), false, 0.5))
@@ -273,14 +295,17 @@ void test_splines_stay()
 // The slot once more: its pieces share vertices and tangents.
 void test_common_fit()
 {
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < 20; ++round)
+  {
     Primitive_network_fit network;
-    const std::array<Vector, 4> corners = {{Vector(-10., -6., 0.), Vector(10., -6., 0.), Vector(10., 6., 0.), Vector(-10., 6., 0.)}};
+    const std::array<Vector, 4> corners = {
+      {Vector(-10., -6., 0.), Vector(10., -6., 0.), Vector(10., 6., 0.), Vector(-10., 6., 0.)}};
     for (const Vector& corner : corners)
       network.vertices.push_back(corner + 0.3 * random_direction());
     const double half = 6. * pi;
     const std::array<double, 5> breaks = {{0., 20., 20. + half, 40. + half, 40. + 2. * half}};
-    for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < 4; ++i)
+    {
       Primitive_edge edge;
       edge.kind = i % 2 == 0 ? Primitive_kind::LINE : Primitive_kind::CIRCLE;
       edge.vertices = {{i, (i + 1) % 4}};
@@ -290,7 +315,8 @@ void test_common_fit()
       network.tangencies.push_back({(i + 1) % 4, {{i, (i + 1) % 4}}});
     }
     network.run();
-    for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < 4; ++i)
+    {
       const Vector& place = network.vertices[(i + 1) % 4];
       const Primitive_curve one = network.edges[i].curve(network.vertices);
       const Primitive_curve two = network.edges[(i + 1) % 4].curve(network.vertices);
@@ -316,7 +342,8 @@ void test_elliptic_arc()
   arc.points = {{ellipse.center, ellipse.at(0.), ellipse.at(0.5 * pi)}};
   arc.stations = stations_on(ellipse, 0.2, 2.5, 20, 0.02);
   network.edges.push_back(arc);
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < 2; ++i)
+  {
     Primitive_edge post;
     post.vertices = {{i, i + 2}};
     const Primitive_curve line = Primitive_curve::line(ellipse.at(i == 0 ? 0.2 : 2.5), network.vertices[i + 2]);
@@ -324,7 +351,8 @@ void test_elliptic_arc()
     network.edges.push_back(post);
   }
   network.run();
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < 2; ++i)
+  {
     const Vector& place = network.vertices[i];
     assert((network.edges[0].curve(network.vertices).foot(place) - place).norm() < 1e-8);
     assert((place - ellipse.at(i == 0 ? 0.2 : 2.5)).norm() < 0.2);
@@ -341,7 +369,8 @@ std::size_t count(const std::vector<Regularity>& regularities, Regularity_kind k
 std::vector<Measured_curve> nearly_regular(double error, double deviation)
 {
   std::vector<Measured_curve> curves;
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < 6; ++i)
+  {
     Measured_curve circle;
     circle.curve.kind = Primitive_kind::CIRCLE;
     circle.curve.center = Vector(30. * (i / 2), 0., 10. * (i % 2)) + error * random_direction();
@@ -362,7 +391,8 @@ std::vector<Measured_curve> nearly_regular(double error, double deviation)
 
 void test_regularities()
 {
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < 20; ++round)
+  {
     const std::vector<Measured_curve> curves = nearly_regular(0.03, 0.06);
     const std::vector<Regularity> found = Regularity_finder(curves).run();
     assert(count(found, Regularity_kind::EQUAL_RADII) == 5 && count(found, Regularity_kind::COAXIAL) == 3);
@@ -377,7 +407,8 @@ void test_regularities()
     assert(count(fewer, Regularity_kind::COAXIAL) == 3);
 
     Primitive_network_fit network;
-    for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t i = 0; i < 6; ++i)
+    {
       Primitive_edge edge;
       edge.kind = Primitive_kind::CIRCLE;
       edge.points = {{curves[i].curve.at(0.), curves[i].curve.at(2.), curves[i].curve.at(4.)}};
@@ -391,7 +422,8 @@ void test_regularities()
     std::vector<Primitive_curve> fitted;
     for (Primitive_edge& edge : network.edges)
       fitted.push_back(edge.curve(network.vertices));
-    for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t i = 0; i < 6; ++i)
+    {
       assert(std::abs(fitted[i].major_radius - fitted[0].major_radius) < 1e-8);
       assert(fitted[i].axis.cross(fitted[0].axis).norm() < 1e-8);
       const Vector offset = fitted[i ^ 1].center - fitted[i].center;

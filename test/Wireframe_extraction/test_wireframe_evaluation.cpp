@@ -18,8 +18,8 @@ void test_parallel_segments()
 {
   for (double e : {0., 0.05, 0.15, 0.25})
   {
-    const Wireframe_scores s = scores_of({segment(Point(0, 0, 0), Point(10, 0, 0))},
-                                         {segment(Point(0, e, 0), Point(10, e, 0))});
+    const Wireframe_scores s =
+      scores_of({segment(Point(0, 0, 0), Point(10, 0, 0))}, {segment(Point(0, e, 0), Point(10, e, 0))});
     assert(s.failure.empty());
     check_near(s.chamfer_distance, e, 1e-12);
     check_near(s.hausdorff_distance, e, 1e-12);
@@ -38,8 +38,8 @@ void test_parallel_segments()
 void test_pushed_segment()
 {
   const double a = 2, length = 10;
-  const Wireframe_scores s = scores_of({segment(Point(0, 0, 0), Point(length, 0, 0))},
-                                       {segment(Point(a, 0, 0), Point(length + a, 0, 0))});
+  const Wireframe_scores s =
+    scores_of({segment(Point(0, 0, 0), Point(length, 0, 0))}, {segment(Point(a, 0, 0), Point(length + a, 0, 0))});
   check_near(s.chamfer_distance, a * a / 2 / length, 2e-3);
   check_near(s.hausdorff_distance, a, 1e-12);
   check_near(s.squared_chamfer_unit_cube, 2 * a * a * a / 3 / length / 25, 1e-3);
@@ -52,11 +52,11 @@ void test_pushed_segment()
 // A part only: one side is all right, the other not.
 void test_one_sided()
 {
-  const Wireframe_scores s = scores_of({segment(Point(0, 0, 0), Point(10, 0, 0))},
-                                       {segment(Point(0, 0, 0), Point(6, 0, 0))});
-  check_near(s.chamfer_distance, 0.5 * (16. / 2 / 10), 3e-3);   // mean of 0.8 and 0
+  const Wireframe_scores s =
+    scores_of({segment(Point(0, 0, 0), Point(10, 0, 0))}, {segment(Point(0, 0, 0), Point(6, 0, 0))});
+  check_near(s.chamfer_distance, 0.5 * (16. / 2 / 10), 3e-3); // mean of 0.8 and 0
   check_near(s.hausdorff_distance, 4, 1e-12);
-  check_near(s.averaged_hausdorff_unit_cube, 0.5 * 4 / 5, 1e-12);   // where the larger one would be 0.8
+  check_near(s.averaged_hausdorff_unit_cube, 0.5 * 4 / 5, 1e-12); // where the larger one would be 0.8
   assert(s.precision_at_1r == 1);
   check_near(s.recall_at_1r, 0.61, 2e-3);
   check_near(s.f1_at_1r, 2 * 0.61 / 1.61, 2e-3);
@@ -66,7 +66,7 @@ void test_circles()
 {
   const double e = 0.07;
   const Wireframe_scores s = scores_of({circle(3)}, {circle(3 + e)});
-  check_near(s.chamfer_distance, e, 1e-4);   // the circles are polygons
+  check_near(s.chamfer_distance, e, 1e-4); // the circles are polygons
   check_near(s.hausdorff_distance, e, 1e-4);
   check_near(s.squared_chamfer_unit_cube, 2 * e * e / 9, 1e-4);
   check_near(s.averaged_hausdorff_unit_cube, e / 3, 1e-4);
@@ -93,8 +93,7 @@ void test_uneven_points()
 void test_scale()
 {
   const double factor = 1000;
-  const auto scaled = [](double f)
-  {
+  const auto scaled = [](double f) {
     True_wireframe truth = truth_of({segment(Point(0, 0, 0), Point(10 * f, 0, 0))});
     truth.sampling_distance = r * f;
     return evaluate_wireframe(truth, prediction_of({segment(Point(0, 0.05 * f, 0), Point(9 * f, 0.3 * f, 0))}));
@@ -266,8 +265,9 @@ void test_cycles()
 
   // a square keeps its corners, whatever its curves are named first
   const std::vector<Point> q = {Point(0, 0, 0), Point(4, 0, 0), Point(4, 4, 0), Point(0, 4, 0)};
-  const Chained_curves square = chain_curves({curve({q[2], q[3]}, 2, 3), curve({q[0], q[1]}, 0, 1),
-                                              curve({q[2], q[1]}, 2, 1), curve({q[3], q[0]}, 3, 0)}, 0.5 * r, 20);
+  const Chained_curves square = chain_curves(
+    {curve({q[2], q[3]}, 2, 3), curve({q[0], q[1]}, 0, 1), curve({q[2], q[1]}, 2, 1), curve({q[3], q[0]}, 3, 0)},
+    0.5 * r, 20);
   assert(square.curves.size() == 4 && square.vertices.size() == 4);
 }
 
@@ -365,8 +365,7 @@ void test_failures()
   check_failed(evaluate_wireframe(truth, "no such file"), 5);
 
   // far off is no failure, and takes no time without end
-  const Wireframe_scores huge =
-    evaluate_wireframe(truth, prediction_of({segment(Point(0, 0, 0), Point(1e12, 0, 0))}));
+  const Wireframe_scores huge = evaluate_wireframe(truth, prediction_of({segment(Point(0, 0, 0), Point(1e12, 0, 0))}));
   assert(huge.failure.empty() && huge.hausdorff_distance > 9e11);
   // a curve that is a point
   const Wireframe_scores point = evaluate_wireframe(truth, prediction_of({segment(Point(0, 0, 0), Point(0, 0, 0))}));
@@ -382,16 +381,16 @@ void test_polyline()
   assert(p.points().size() == 3 && p.length() == 3);
   assert(p.point_at(0) == Point(0, 0, 0) && p.point_at(3) == Point(1, 2, 0) && p.point_at(99) == Point(1, 2, 0));
   check_near(distance(p.point_at(2), Point(1, 1, 0)), 0, 1e-12);
-  const std::vector<Point> samples = p.sample(0.7);   // five pieces of 0.6
+  const std::vector<Point> samples = p.sample(0.7); // five pieces of 0.6
   assert(samples.size() == 6 && samples.front() == p.front() && samples.back() == p.back());
   for (std::size_t i = 0; i < samples.size(); ++i)
     check_near(distance(samples[i], p.point_at(0.6 * double(i))), 0, 1e-12);
   assert(p.sample(100).size() == 2 && p.sample(1).size() == 4);
   check_near(distance(Point(0, 0, 0) + p.direction_from_end(true, 0.5), Point(0, -1, 0)), 0, 1e-12);
-  const Vector d = p.direction_from_end(false, std::sqrt(2.));   // towards (1, 1, 0)
+  const Vector d = p.direction_from_end(false, std::sqrt(2.)); // towards (1, 1, 0)
   check_near(d.x(), std::sqrt(0.5), 1e-12);
   check_near(d.y(), std::sqrt(0.5), 1e-12);
-  check_near(p.direction_from_end(false, 10).y(), 2 / std::sqrt(5.), 1e-12);   // to the other end
+  check_near(p.direction_from_end(false, 10).y(), 2 / std::sqrt(5.), 1e-12); // to the other end
   assert(p.reversed().front() == p.back());
   const Polyline point({Point(1, 1, 1)});
   assert(point.length() == 0 && point.sample(1).size() == 2 && point.direction_from_end(false, 1) == Vector(0, 0, 0));

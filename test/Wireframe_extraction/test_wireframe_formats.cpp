@@ -39,7 +39,7 @@ typedef Curve::Spline Spline;
 typedef CGAL::Wireframe_curve_type Type;
 typedef CGAL::Wireframe_extraction::Length_unit Length_unit;
 
-const std::vector<std::string> extensions = { ".dxf", ".obj", ".vtp", ".gltf", ".glb", ".svg", ".csv" };
+const std::vector<std::string> extensions = {".dxf", ".obj", ".vtp", ".gltf", ".glb", ".svg", ".csv"};
 
 // ---- wireframes that are known exactly ----
 
@@ -51,13 +51,13 @@ public:
   Closed_form_wireframe(unsigned seed, const Vector& offset) : random_(seed), offset_(offset)
   {
     wireframe_.sampling_distance = 0.5;
-    for(const Vector& axis : axes())
-      for(const Type type : { Type::CIRCLE, Type::ARC, Type::ELLIPSE, Type::ELLIPTIC_ARC })
+    for (const Vector& axis : axes())
+      for (const Type type : {Type::CIRCLE, Type::ARC, Type::ELLIPSE, Type::ELLIPTIC_ARC})
         add_conic(type, axis);
     add_line();
-    for(const std::size_t degree : { 1, 2, 3, 5 })
-      for(const bool is_rational : { false, true })
-        for(const bool is_closed : { false, true })
+    for (const std::size_t degree : {1, 2, 3, 5})
+      for (const bool is_rational : {false, true})
+        for (const bool is_closed : {false, true})
           add_spline(degree, is_rational, is_closed);
   }
 
@@ -71,9 +71,16 @@ private:
   // those of the coordinate system, on both sides of where the rule of DXF for the axes of a plane changes, and any
   std::vector<Vector> axes()
   {
-    return { Vector(0, 0, 1), Vector(0, 0, -1), Vector(1, 0, 0), Vector(0, -1, 0), normalized(Vector(0.0155, 0, 1)),
-             normalized(Vector(0.016, 0, -1)), normalized(Vector(0.01, -0.0158, 1)), normalized(vector()),
-             normalized(vector()), normalized(vector()) };
+    return {Vector(0, 0, 1),
+            Vector(0, 0, -1),
+            Vector(1, 0, 0),
+            Vector(0, -1, 0),
+            normalized(Vector(0.0155, 0, 1)),
+            normalized(Vector(0.016, 0, -1)),
+            normalized(Vector(0.01, -0.0158, 1)),
+            normalized(vector()),
+            normalized(vector()),
+            normalized(vector())};
   }
 
   void measure(Curve& curve)
@@ -81,11 +88,11 @@ private:
     curve.root_mean_square = number(0, 0.1);
     curve.maximum_deviation = number(0.1, 0.2);
     curve.support = static_cast<std::size_t>(number(1, 1000));
-    if(curve.type == Type::BSPLINE)
+    if (curve.type == Type::BSPLINE)
       return;
     curve.uncertainty.position = number(0, 0.1);
     curve.uncertainty.direction = number(0, 0.1);
-    if(curve.type != Type::LINE)
+    if (curve.type != Type::LINE)
     {
       curve.uncertainty.major_radius = number(0, 0.1);
       curve.uncertainty.minor_radius = number(0, 0.1);
@@ -112,10 +119,15 @@ private:
     const bool is_round = (type == Type::CIRCLE || type == Type::ARC);
     const bool is_full = (type == Type::CIRCLE || type == Type::ELLIPSE);
     const double major = number(2, 3), begin = is_round ? 0. : number(-4, 4);
-    curve.conic = { point(), axis, x, major, is_round ? major : number(0.5, 2), is_full ? 0. : begin,
-                    is_full ? 2 * CGAL_PI : begin + number(0.1, 6.2) };
+    curve.conic = {point(),
+                   axis,
+                   x,
+                   major,
+                   is_round ? major : number(0.5, 2),
+                   is_full ? 0. : begin,
+                   is_full ? 2 * CGAL_PI : begin + number(0.1, 6.2)};
     curve.spline = curve.conic.to_spline(is_full);
-    if(!is_full)
+    if (!is_full)
     {
       curve.source = add_vertex(curve.spline.control_points().front());
       curve.target = add_vertex(curve.spline.control_points().back());
@@ -129,7 +141,7 @@ private:
     curve.type = Type::LINE;
     curve.source = add_vertex(point());
     curve.target = add_vertex(point());
-    curve.spline = Spline(1, { 0, 0, 2, 2 }, { wireframe_.vertices[curve.source], wireframe_.vertices[curve.target] });
+    curve.spline = Spline(1, {0, 0, 2, 2}, {wireframe_.vertices[curve.source], wireframe_.vertices[curve.target]});
     add(curve);
   }
 
@@ -139,20 +151,20 @@ private:
     Curve curve;
     const std::size_t count = degree + 4;
     std::vector<Point> points;
-    for(std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i)
       points.push_back(point());
-    if(is_closed)
+    if (is_closed)
       points.back() = points.front();
-    if(!is_closed || degree % 2 == 0)
+    if (!is_closed || degree % 2 == 0)
     {
       curve.source = add_vertex(points.front());
       curve.target = is_closed ? curve.source : add_vertex(points.back());
     }
     std::vector<double> knots(degree + 1, -0.5), weights;
-    for(std::size_t i = degree + 1; i < count; ++i)
+    for (std::size_t i = degree + 1; i < count; ++i)
       knots.push_back(knots.back() + number(0.1, 1));
     knots.insert(knots.end(), degree + 1, knots.back() + 0.5);
-    for(std::size_t i = 0; i < count && is_rational; ++i)
+    for (std::size_t i = 0; i < count && is_rational; ++i)
       weights.push_back(degree == 3 && i == 0 ? 1. : number(0.5, 2));
     curve.spline = Spline(degree, knots, points, weights, is_closed);
     add(curve);
@@ -170,31 +182,32 @@ Wireframe far_wireframe() { return Closed_form_wireframe(2, Vector(5e5, -4e6, 12
 Wireframe flat_wireframe()
 {
   Wireframe wireframe;
-  wireframe.vertices = { Point(1, 2, 3), Point(2, 2, 3) };
+  wireframe.vertices = {Point(1, 2, 3), Point(2, 2, 3)};
   return wireframe;
 }
 
 void write_all(const std::string& folder)
 {
-  const std::map<std::string, Wireframe> wireframes = {
-    { "near", near_wireframe() }, { "far", far_wireframe() }, { "flat", flat_wireframe() }, { "empty", Wireframe() } };
-  const auto write = [&folder](const std::string& name, const Wireframe& wireframe, const auto& np)
-  {
+  const std::map<std::string, Wireframe> wireframes = {{"near", near_wireframe()},
+                                                       {"far", far_wireframe()},
+                                                       {"flat", flat_wireframe()},
+                                                       {"empty", Wireframe()}};
+  const auto write = [&folder](const std::string& name, const Wireframe& wireframe, const auto& np) {
     const bool is_written = CGAL::IO::write_wireframe(folder + "/" + name, wireframe, np);
     assert(is_written);
   };
-  for(const auto& named : wireframes)
+  for (const auto& named : wireframes)
   {
     write(named.first + ".json", named.second, parameters::sampling_step(0.1));
-    for(const std::string& extension : extensions)
+    for (const std::string& extension : extensions)
       write(named.first + extension, named.second, parameters::sampling_step(0.1));
     write(named.first + "_splines.obj", named.second, parameters::obj_splines(true));
   }
   const std::vector<std::pair<std::string, Length_unit>> units = {
-    { "um", Length_unit::MICROMETER }, { "mm", Length_unit::MILLIMETER }, { "cm", Length_unit::CENTIMETER },
-    { "m", Length_unit::METER }, { "in", Length_unit::INCH }, { "ft", Length_unit::FOOT } };
-  for(const auto& unit : units)
-    for(const std::string& extension : extensions)
+    {"um", Length_unit::MICROMETER}, {"mm", Length_unit::MILLIMETER}, {"cm", Length_unit::CENTIMETER},
+    {"m", Length_unit::METER},       {"in", Length_unit::INCH},       {"ft", Length_unit::FOOT}};
+  for (const auto& unit : units)
+    for (const std::string& extension : extensions)
       write("unit_" + unit.first + extension, flat_wireframe(), parameters::unit(unit.second));
 }
 
@@ -210,7 +223,7 @@ std::vector<std::string> split(const std::string& text, char separator)
 {
   std::vector<std::string> parts;
   std::istringstream stream(text);
-  for(std::string part; std::getline(stream, part, separator);)
+  for (std::string part; std::getline(stream, part, separator);)
     parts.push_back(part);
   return parts;
 }
@@ -218,7 +231,7 @@ std::vector<std::string> split(const std::string& text, char separator)
 std::size_t count_of(const std::string& text, const std::string& word)
 {
   std::size_t count = 0;
-  for(std::size_t i = text.find(word); i != std::string::npos; i = text.find(word, i + 1))
+  for (std::size_t i = text.find(word); i != std::string::npos; i = text.find(word, i + 1))
     ++count;
   return count;
 }
@@ -232,7 +245,7 @@ Dxf_pairs parse_dxf(const std::string& text)
   const std::vector<std::string> lines = split(text, '\n');
   assert(lines.size() % 2 == 0);
   Dxf_pairs pairs;
-  for(std::size_t i = 0; i < lines.size(); i += 2)
+  for (std::size_t i = 0; i < lines.size(); i += 2)
     pairs.emplace_back(std::stoi(lines[i]), lines[i + 1]);
   return pairs;
 }
@@ -246,27 +259,28 @@ void test_dxf()
   assert(pairs.back().second == "EOF");
 
   // entities in the order of the wireframe, handles that differ and are below the seed
-  const std::map<Type, std::string> names = { { Type::BSPLINE, "SPLINE" }, { Type::LINE, "LINE" },
-    { Type::CIRCLE, "CIRCLE" }, { Type::ARC, "ARC" }, { Type::ELLIPSE, "ELLIPSE" }, { Type::ELLIPTIC_ARC, "ELLIPSE" } };
+  const std::map<Type, std::string> names = {{Type::BSPLINE, "SPLINE"},  {Type::LINE, "LINE"},
+                                             {Type::CIRCLE, "CIRCLE"},   {Type::ARC, "ARC"},
+                                             {Type::ELLIPSE, "ELLIPSE"}, {Type::ELLIPTIC_ARC, "ELLIPSE"}};
   std::vector<std::string> entities, expected(wireframe.vertices.size(), "POINT");
-  for(const Curve& curve : wireframe.curves)
+  for (const Curve& curve : wireframe.curves)
     expected.push_back(names.at(curve.type));
   std::set<long> handles;
   long seed = 0;
   bool is_in_entities = false;
-  for(std::size_t i = 0; i < pairs.size(); ++i)
+  for (std::size_t i = 0; i < pairs.size(); ++i)
   {
-    if(pairs[i] == std::make_pair(2, std::string("ENTITIES")))
+    if (pairs[i] == std::make_pair(2, std::string("ENTITIES")))
       is_in_entities = true;
-    else if(pairs[i].first == 0 && pairs[i].second == "ENDSEC")
+    else if (pairs[i].first == 0 && pairs[i].second == "ENDSEC")
       is_in_entities = false;
-    else if(pairs[i].first == 0 && is_in_entities)
+    else if (pairs[i].first == 0 && is_in_entities)
       entities.push_back(pairs[i].second);
-    if(pairs[i].second == "$HANDSEED")
+    if (pairs[i].second == "$HANDSEED")
       seed = std::stol(pairs[i + 1].second, nullptr, 16);
-    else if((pairs[i].first == 5 && pairs[i - 1].second != "$HANDSEED") || pairs[i].first == 105)
+    else if ((pairs[i].first == 5 && pairs[i - 1].second != "$HANDSEED") || pairs[i].first == 105)
       assert(handles.insert(std::stol(pairs[i].second, nullptr, 16)).second);
-    if(pairs[i].second == "$INSUNITS")
+    if (pairs[i].second == "$INSUNITS")
       assert(pairs[i + 1].second == "1");
   }
   assert(entities == expected);
@@ -285,7 +299,7 @@ Vector dxf_vector(const Dxf_numbers& numbers, int code)
 Point dxf_conic_point(const std::string& name, const Dxf_numbers& numbers, double share)
 {
   const Vector n = dxf_vector(numbers, 210);
-  if(name == "ELLIPSE")
+  if (name == "ELLIPSE")
   {
     const double begin = numbers.at(41)[0], end = numbers.at(42)[0] + (numbers.at(42)[0] <= begin ? 2 * CGAL_PI : 0);
     const double angle = begin + share * (end - begin);
@@ -296,7 +310,7 @@ Point dxf_conic_point(const std::string& name, const Dxf_numbers& numbers, doubl
   const Vector x = normalized(CGAL::cross_product(is_near_z ? Vector(0, 1, 0) : Vector(0, 0, 1), n));
   const Vector y = CGAL::cross_product(n, x), c = dxf_vector(numbers, 10);
   double begin = 0, end = 360;
-  if(name == "ARC")
+  if (name == "ARC")
   {
     begin = numbers.at(50)[0];
     end = numbers.at(51)[0] + (numbers.at(51)[0] <= begin ? 360 : 0);
@@ -312,27 +326,27 @@ void test_dxf_geometry()
   std::ostringstream stream;
   assert(CGAL::IO::write_wireframe_dxf(stream, wireframe));
   std::vector<std::pair<std::string, Dxf_numbers>> entities;
-  for(const auto& pair : parse_dxf(stream.str().substr(stream.str().find("ENTITIES") + 9)))
+  for (const auto& pair : parse_dxf(stream.str().substr(stream.str().find("ENTITIES") + 9)))
   {
-    if(pair.first == 0)
+    if (pair.first == 0)
       entities.emplace_back(pair.second, Dxf_numbers());
-    else if(!entities.empty() && ((pair.first >= 10 && pair.first < 80) || (pair.first >= 210 && pair.first < 240)))
+    else if (!entities.empty() && ((pair.first >= 10 && pair.first < 80) || (pair.first >= 210 && pair.first < 240)))
       entities.back().second[pair.first].push_back(std::stod(pair.second));
   }
-  for(std::size_t i = 0; i < wireframe.curves.size(); ++i)
+  for (std::size_t i = 0; i < wireframe.curves.size(); ++i)
   {
     const Curve& curve = wireframe.curves[i];
     const std::string& name = entities.at(wireframe.vertices.size() + i).first;
     const Dxf_numbers& numbers = entities[wireframe.vertices.size() + i].second;
-    for(const double share : { 0., 0.25, 0.7, 1. })
+    for (const double share : {0., 0.25, 0.7, 1.})
     {
-      if(curve.type == Type::LINE)
+      if (curve.type == Type::LINE)
         assert(CGAL::ORIGIN + dxf_vector(numbers, 10) == wireframe.vertices[curve.source]
                && CGAL::ORIGIN + dxf_vector(numbers, 11) == wireframe.vertices[curve.target]);
-      else if(curve.type == Type::BSPLINE)
+      else if (curve.type == Type::BSPLINE)
       {
         std::vector<Point> points;
-        for(std::size_t j = 0; j < numbers.at(10).size(); ++j)
+        for (std::size_t j = 0; j < numbers.at(10).size(); ++j)
           points.emplace_back(numbers.at(10)[j], numbers.at(20)[j], numbers.at(30)[j]);
         assert(points == curve.spline.control_points() && numbers.at(40) == curve.spline.knots());
         assert((curve.spline.is_rational() ? numbers.at(41) : std::vector<double>()) == curve.spline.weights());
@@ -343,7 +357,7 @@ void test_dxf_geometry()
         const Point point = dxf_conic_point(name, numbers, share);
         const double angle = curve.conic.start_angle + share * (curve.conic.end_angle - curve.conic.start_angle);
         // a circle of the format has no start of its own
-        if(curve.type == Type::CIRCLE)
+        if (curve.type == Type::CIRCLE)
           assert(curve.spline.closest_point(point).distance < 1e-9);
         else
           assert(distance(point, curve.conic.point(angle)) < 1e-9);
@@ -358,13 +372,13 @@ void test_dxf_limits()
   Wireframe wireframe;
   Curve curve;
   curve.type = Type::ELLIPSE;
-  curve.conic = { Point(1, 0, 0), Vector(0, 0, 1), Vector(1, 0, 0), 1, 1e-7, 0, 2 * CGAL_PI };
+  curve.conic = {Point(1, 0, 0), Vector(0, 0, 1), Vector(1, 0, 0), 1, 1e-7, 0, 2 * CGAL_PI};
   curve.spline = curve.conic.to_spline(true);
   wireframe.curves.push_back(curve);
   curve.type = Type::ARC;
   curve.conic.minor_radius = 1;
   curve.spline = curve.conic.to_spline();
-  wireframe.vertices = { curve.spline.control_points().front(), curve.spline.control_points().back() };
+  wireframe.vertices = {curve.spline.control_points().front(), curve.spline.control_points().back()};
   curve.source = 0;
   curve.target = 1;
   wireframe.curves.push_back(curve);
@@ -396,12 +410,12 @@ struct Obj_content
 Obj_content parse_obj(std::istream& stream)
 {
   Obj_content content;
-  for(std::string line; std::getline(stream, line);)
+  for (std::string line; std::getline(stream, line);)
   {
     std::istringstream words(line);
     std::string kind, word;
     words >> kind;
-    if(kind == "v")
+    if (kind == "v")
     {
       double x, y, z, w = 1.;
       const bool is_point = static_cast<bool>(words >> x >> y >> z);
@@ -410,38 +424,38 @@ Obj_content parse_obj(std::istream& stream)
       content.points.emplace_back(x, y, z);
       content.weights.push_back(words ? w : 1.);
     }
-    else if(kind == "g")
+    else if (kind == "g")
     {
       content.curves.emplace_back();
       words >> content.curves.back().name;
     }
-    else if(kind == "cstype")
+    else if (kind == "cstype")
     {
       words >> word;
       content.curves.back().is_rational = (word == "rat");
       assert(word == "bspline" || static_cast<bool>(words >> word));
       assert(word == "bspline");
     }
-    else if(kind == "deg")
+    else if (kind == "deg")
       words >> content.curves.back().degree;
-    else if(kind == "curv" || kind == "l")
+    else if (kind == "curv" || kind == "l")
     {
       Obj_curve& curve = content.curves.back();
       curve.is_segment = (kind == "l");
       curve.range.resize(curve.is_segment ? 0 : 2);
-      for(double& end : curve.range)
+      for (double& end : curve.range)
         words >> end;
-      for(std::size_t index; words >> index;)
+      for (std::size_t index; words >> index;)
         curve.indices.push_back(index - 1);
       // a reader goes from line to line
-      for(const std::size_t index : curve.indices)
+      for (const std::size_t index : curve.indices)
         assert(index < content.points.size());
     }
-    else if(kind == "parm")
+    else if (kind == "parm")
     {
       words >> word;
       assert(word == "u");
-      for(double knot; words >> knot;)
+      for (double knot; words >> knot;)
         content.curves.back().knots.push_back(knot);
     }
     else
@@ -458,9 +472,9 @@ void test_obj_splines()
   assert(count_of(stream.str(), "\nend\n") == wireframe.curves.size() - 1);
   const Obj_content content = parse_obj(stream);
   assert(content.curves.size() == wireframe.curves.size());
-  for(std::size_t i = 0; i < wireframe.vertices.size(); ++i)
+  for (std::size_t i = 0; i < wireframe.vertices.size(); ++i)
     assert(content.points[i] == wireframe.vertices[i] && content.weights[i] == 1.);
-  for(std::size_t i = 0; i < content.curves.size(); ++i)
+  for (std::size_t i = 0; i < content.curves.size(); ++i)
   {
     const Obj_curve& written = content.curves[i];
     const Curve& curve = wireframe.curves[i];
@@ -468,30 +482,30 @@ void test_obj_splines()
     assert(written.is_segment == (curve.type == Type::LINE));
     std::vector<Point> points;
     std::vector<double> weights;
-    for(const std::size_t index : written.indices)
+    for (const std::size_t index : written.indices)
     {
       points.push_back(content.points[index]);
       weights.push_back(content.weights[index]);
       assert(written.is_rational || content.weights[index] == 1.);
     }
-    if(written.is_segment)
+    if (written.is_segment)
     {
-      assert(written.indices == (std::vector<std::size_t>{ curve.source, curve.target }));
+      assert(written.indices == (std::vector<std::size_t>{curve.source, curve.target}));
       continue;
     }
     assert(written.is_rational == curve.spline.is_rational());
     const Spline spline(written.degree, written.knots, points, weights);
     assert(written.range[0] == spline.parameter_range().first && written.range[1] == spline.parameter_range().second);
-    for(int j = 0; j <= 50; ++j)
+    for (int j = 0; j <= 50; ++j)
     {
       const double u = written.range[0] + (written.range[1] - written.range[0]) * j / 50;
       assert(curve.spline.closest_point(spline.point(u)).distance < 1e-9);
     }
     const double length = curve.spline.length();
     assert(std::abs(spline.length() - length) < 1e-6 * length);
-    if(CGAL::is_conic(curve.type) && !curve.is_closed())
+    if (CGAL::is_conic(curve.type) && !curve.is_closed())
       assert(written.indices.front() == curve.source && written.indices.back() == curve.target);
-    if(CGAL::is_conic(curve.type) && curve.is_closed())
+    if (CGAL::is_conic(curve.type) && curve.is_closed())
       assert(written.indices.front() == written.indices.back());
   }
 }
@@ -507,13 +521,13 @@ void test_csv()
   assert(count_of(text, "\r\n") == wireframe.curves.size() + 1 && count_of(text, "\n") == count_of(text, "\r\n"));
   const std::vector<std::string> lines = split(text, '\n');
   const std::vector<std::string> names = split(lines[0], ',');
-  for(std::size_t i = 0; i < wireframe.curves.size(); ++i)
+  for (std::size_t i = 0; i < wireframe.curves.size(); ++i)
   {
     const Curve& curve = wireframe.curves[i];
     const std::vector<std::string> values = split(lines[i + 1], ',');
     assert(values.size() == names.size());
     std::map<std::string, std::string> row;
-    for(std::size_t j = 0; j < names.size(); ++j)
+    for (std::size_t j = 0; j < names.size(); ++j)
       row[names[j]] = values[j];
     assert(row["index"] == std::to_string(i));
     assert(row["closed"] == (curve.is_closed() ? "true" : "false"));
@@ -521,7 +535,7 @@ void test_csv()
     assert(std::stod(row["length"]) == curve.spline.length() && std::stod(row["max"]) == curve.maximum_deviation);
     assert(row["center_y"].empty() == (curve.type == Type::BSPLINE));
     assert(row["minor_radius"].empty() == !CGAL::is_conic(curve.type));
-    if(CGAL::is_conic(curve.type))
+    if (CGAL::is_conic(curve.type))
       assert(std::stod(row["center_y"]) == curve.conic.center.y() && std::stod(row["axis_z"]) == curve.conic.axis.z()
              && std::stod(row["minor_radius"]) == curve.conic.minor_radius
              && std::stod(row["end_angle"]) == curve.conic.end_angle
@@ -537,7 +551,7 @@ std::vector<double> vtp_numbers(const std::string& text, const std::string& name
   const std::size_t begin = text.find('>', place) + 1;
   std::istringstream words(text.substr(begin, text.find('<', begin) - begin));
   std::vector<double> numbers;
-  for(std::string word; words >> word;)
+  for (std::string word; words >> word;)
     numbers.push_back(std::stod(word));
   return numbers;
 }
@@ -553,12 +567,12 @@ void test_vtp()
   assert(offsets.size() == wireframe.curves.size() && offsets.back() == double(indices.size()));
   assert(radii.size() == wireframe.vertices.size() + wireframe.curves.size());
   std::size_t begin = 0;
-  for(std::size_t i = 0; i < offsets.size(); begin = std::size_t(offsets[i++]))
+  for (std::size_t i = 0; i < offsets.size(); begin = std::size_t(offsets[i++]))
   {
     const Curve& curve = wireframe.curves[i];
     assert(radii[wireframe.vertices.size() + i] == (CGAL::is_conic(curve.type) ? curve.conic.major_radius : 0.));
     assert(!curve.is_closed() || indices[begin] == indices[std::size_t(offsets[i]) - 1]);
-    for(std::size_t j = begin; j < std::size_t(offsets[i]); ++j)
+    for (std::size_t j = begin; j < std::size_t(offsets[i]); ++j)
     {
       const std::size_t k = 3 * std::size_t(indices[j]);
       const Point point(coordinates.at(k), coordinates.at(k + 1), coordinates.at(k + 2));
@@ -573,13 +587,13 @@ std::string from_base64(const std::string& text)
   std::string bytes;
   std::uint32_t bits = 0;
   int count = 0;
-  for(const char c : text)
+  for (const char c : text)
   {
-    if(c == '=')
+    if (c == '=')
       break;
     bits = (bits << 6) | static_cast<std::uint32_t>(digits.find(c));
     count += 6;
-    if(count >= 8)
+    if (count >= 8)
       bytes += static_cast<char>((bits >> (count -= 8)) & 255u);
   }
   return bytes;
@@ -588,7 +602,7 @@ std::string from_base64(const std::string& text)
 std::size_t load_size(const std::string& bytes, std::size_t position)
 {
   std::size_t value = 0;
-  for(std::size_t i = 0; i < 4; ++i)
+  for (std::size_t i = 0; i < 4; ++i)
     value |= std::size_t(static_cast<unsigned char>(bytes.at(position + i))) << (8 * i);
   return value;
 }
@@ -610,7 +624,7 @@ void test_gltf()
   assert(binary.substr(place + 8) == bytes);
   assert(text.find("\"uri\"") != std::string::npos && binary.find("\"uri\"") == std::string::npos);
 
-  for(std::size_t size = 0; size < 7; ++size)
+  for (std::size_t size = 0; size < 7; ++size)
   {
     const std::string part = bytes.substr(0, size);
     assert(from_base64(CGAL::IO::internal::to_base64(part)) == part);
@@ -631,26 +645,24 @@ void test_gltf_points()
   place >> x >> comma >> y >> comma >> z;
   assert(place);
   std::size_t position = 28 + load_size(binary, 12);
-  const auto next = [&binary, &position]()
-  {
+  const auto next = [&binary, &position]() {
     const std::uint32_t bits = static_cast<std::uint32_t>(load_size(binary, position));
     position += 4;
     float value;
     std::memcpy(&value, &bits, 4);
     return double(value);
   };
-  const auto next_point = [&]()
-  {
+  const auto next_point = [&]() {
     const double dx = next(), dy = next(), dz = next();
     return Point(x + dx, y + dy, z + dz);
   };
-  for(const Point& vertex : wireframe.vertices)
+  for (const Point& vertex : wireframe.vertices)
     assert(distance(next_point(), vertex) < 5e-6);
-  for(const Curve& curve : wireframe.curves)
+  for (const Curve& curve : wireframe.curves)
   {
     const double step = 0.25 * wireframe.sampling_distance;
     const std::size_t count = std::size_t(std::ceil(curve.spline.length() / step - 1e-9));
-    for(std::size_t i = 0; i <= count; ++i)
+    for (std::size_t i = 0; i <= count; ++i)
       assert(curve.spline.closest_point(next_point()).distance < 5e-6);
   }
   assert(position == binary.size());
@@ -662,7 +674,7 @@ void test_svg()
   std::ostringstream stream;
   assert(CGAL::IO::write_wireframe_svg(stream, wireframe, parameters::unit(Length_unit::FOOT)));
   const std::string text = stream.str();
-  for(const char* const id : { "\"front\"", "\"top\"", "\"right\"", "\"isometric\"" })
+  for (const char* const id : {"\"front\"", "\"top\"", "\"right\"", "\"isometric\""})
     assert(count_of(text, std::string("<g id=") + id) == 1);
   assert(count_of(text, "<polyline ") == 4 * wireframe.curves.size());
   assert(count_of(text, "<circle ") == 4 * wireframe.vertices.size());
@@ -676,15 +688,17 @@ void test_dispatch()
   const Wireframe wireframe = near_wireframe();
   typedef std::function<bool(std::ostream&)> Write;
   const std::map<std::string, Write> writers = {
-    { ".dxf", [&](std::ostream& out) { return CGAL::IO::write_wireframe_dxf(out, wireframe); } },
-    { ".obj", [&](std::ostream& out) { return CGAL::IO::write_wireframe_obj(out, wireframe); } },
-    { ".vtp", [&](std::ostream& out) { return CGAL::IO::write_wireframe_vtp(out, wireframe); } },
-    { ".gltf", [&](std::ostream& out) { return CGAL::IO::write_wireframe_gltf(out, wireframe); } },
-    { ".glb", [&](std::ostream& out)
-      { return CGAL::IO::write_wireframe_gltf(out, wireframe, parameters::use_binary_mode(true)); } },
-    { ".svg", [&](std::ostream& out) { return CGAL::IO::write_wireframe_svg(out, wireframe); } },
-    { ".csv", [&](std::ostream& out) { return CGAL::IO::write_wireframe_csv(out, wireframe); } } };
-  for(const auto& writer : writers)
+    {".dxf", [&](std::ostream& out) { return CGAL::IO::write_wireframe_dxf(out, wireframe); }},
+    {".obj", [&](std::ostream& out) { return CGAL::IO::write_wireframe_obj(out, wireframe); }},
+    {".vtp", [&](std::ostream& out) { return CGAL::IO::write_wireframe_vtp(out, wireframe); }},
+    {".gltf", [&](std::ostream& out) { return CGAL::IO::write_wireframe_gltf(out, wireframe); }},
+    {".glb",
+     [&](std::ostream& out) {
+       return CGAL::IO::write_wireframe_gltf(out, wireframe, parameters::use_binary_mode(true));
+     }},
+    {".svg", [&](std::ostream& out) { return CGAL::IO::write_wireframe_svg(out, wireframe); }},
+    {".csv", [&](std::ostream& out) { return CGAL::IO::write_wireframe_csv(out, wireframe); }}};
+  for (const auto& writer : writers)
   {
     std::ostringstream expected;
     // whatever state the stream is in
@@ -692,9 +706,9 @@ void test_dispatch()
     expected.setf(std::ios::fixed | std::ios::showpos | std::ios::hex);
     assert(writer.second(expected) && !expected.str().empty());
     std::string upper = "formats_scratch" + writer.first;
-    for(char& c : upper)
+    for (char& c : upper)
       c = (c >= 'a' && c <= 'z') ? char(c - 'a' + 'A') : c;
-    for(const std::string& name : { "formats_scratch" + writer.first, upper })
+    for (const std::string& name : {"formats_scratch" + writer.first, upper})
     {
       assert(CGAL::IO::write_wireframe(name, wireframe));
       assert(read_file(name) == expected.str());
@@ -703,27 +717,28 @@ void test_dispatch()
   }
   std::string error;
   assert(!CGAL::IO::write_wireframe("formats_scratch.xyz", wireframe, parameters::error_message(&error)));
-  for(const std::string& extension : extensions)
+  for (const std::string& extension : extensions)
     assert(error.find(extension) != std::string::npos);
 }
 
 void test_errors()
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  std::vector<std::pair<std::string, Wireframe>> bad = {
-    { "vertex 1", near_wireframe() }, { "curve 2", near_wireframe() }, { "curve 1", near_wireframe() },
-    { "curve 0", near_wireframe() } };
+  std::vector<std::pair<std::string, Wireframe>> bad = {{"vertex 1", near_wireframe()},
+                                                        {"curve 2", near_wireframe()},
+                                                        {"curve 1", near_wireframe()},
+                                                        {"curve 0", near_wireframe()}};
   bad[0].second.vertices[1] = Point(nan, 0, 0);
   bad[1].second.curves[2].conic.minor_radius = nan;
   bad[2].second.curves[1].target = 1000;
   bad[3].second.curves[0].spline = Spline();
 
   fs::create_directory("formats_folder");
-  for(const std::string& extension : extensions)
+  for (const std::string& extension : extensions)
   {
     const std::string name = "formats_folder/old" + extension;
-    const auto fails = [&](const std::string& filename, const std::string& word, const auto& wireframe, const auto& np)
-    {
+    const auto fails = [&](const std::string& filename, const std::string& word, const auto& wireframe,
+                           const auto& np) {
       std::ofstream("formats_folder/old" + extension, std::ios::binary) << "old";
       std::string error;
       const bool is_written = CGAL::IO::write_wireframe(filename, wireframe, np.error_message(&error));
@@ -733,31 +748,31 @@ void test_errors()
       assert(std::distance(fs::directory_iterator("formats_folder"), fs::directory_iterator()) == 1);
     };
     const auto none = parameters::unit(Length_unit::METER);
-    for(const auto& wireframe : bad)
+    for (const auto& wireframe : bad)
     {
       fails(name, wireframe.first, wireframe.second, none);
       fails(name, wireframe.first, wireframe.second, none.obj_splines(true));
     }
     fails("formats_missing/new" + extension, "cannot be written", near_wireframe(), none);
     const bool is_sampled = (extension != ".dxf" && extension != ".csv");
-    if(is_sampled)
+    if (is_sampled)
       fails(name, "sampling_step", near_wireframe(), none.sampling_step(-1.));
-    if(is_sampled)
+    if (is_sampled)
       fails(name, "give a larger sampling_step", near_wireframe(), none.sampling_step(1e-9));
-    if(extension == ".gltf" || extension == ".glb" || extension == ".svg")
+    if (extension == ".gltf" || extension == ".glb" || extension == ".svg")
     {
       Wireframe large = flat_wireframe();
       large.vertices[0] = Point(-1.7e308, 0, 0);
       large.vertices[1] = Point(1.7e308, 0, 0);
       fails(name, "too large", large, none);
     }
-    if(extension == ".dxf" || extension == ".csv")
+    if (extension == ".dxf" || extension == ".csv")
     {
       Wireframe large = flat_wireframe();
-      large.vertices = { Point(-1.7e308, -1.7e308, 0), Point(1.7e308, 1.7e308, 0) };
+      large.vertices = {Point(-1.7e308, -1.7e308, 0), Point(1.7e308, 1.7e308, 0)};
       large.curves.resize(1);
       large.curves[0].type = Type::LINE;
-      large.curves[0].spline = Spline(1, { 0, 0, 1, 1 }, large.vertices);
+      large.curves[0].spline = Spline(1, {0, 0, 1, 1}, large.vertices);
       large.curves[0].source = 0;
       large.curves[0].target = 1;
       fails(name, "scale", large, none);
@@ -776,35 +791,39 @@ void test_errors()
 void test_bad_streams()
 {
   const Wireframe wireframe = near_wireframe();
-  const auto fails = [](const auto& write)
-  {
+  const auto fails = [](const auto& write) {
     std::ostringstream stream;
     stream.setstate(std::ios::badbit);
     std::string error;
     return !write(stream, error) && !error.empty();
   };
-  assert(fails([&](std::ostream& out, std::string& error)
-    { return CGAL::IO::write_wireframe_dxf(out, wireframe, parameters::error_message(&error)); }));
-  assert(fails([&](std::ostream& out, std::string& error)
-    { return CGAL::IO::write_wireframe_vtp(out, wireframe, parameters::error_message(&error)); }));
-  assert(fails([&](std::ostream& out, std::string& error)
-    { return CGAL::IO::write_wireframe_gltf(out, wireframe, parameters::error_message(&error)); }));
-  assert(fails([&](std::ostream& out, std::string& error)
-    { return CGAL::IO::write_wireframe_svg(out, wireframe, parameters::error_message(&error)); }));
-  assert(fails([&](std::ostream& out, std::string& error)
-    { return CGAL::IO::write_wireframe_csv(out, wireframe, parameters::error_message(&error)); }));
-  assert(fails([&](std::ostream& out, std::string& error)
-    { return CGAL::IO::write_wireframe_obj(out, wireframe, parameters::obj_splines(true).error_message(&error)); }));
+  assert(fails([&](std::ostream& out, std::string& error) {
+    return CGAL::IO::write_wireframe_dxf(out, wireframe, parameters::error_message(&error));
+  }));
+  assert(fails([&](std::ostream& out, std::string& error) {
+    return CGAL::IO::write_wireframe_vtp(out, wireframe, parameters::error_message(&error));
+  }));
+  assert(fails([&](std::ostream& out, std::string& error) {
+    return CGAL::IO::write_wireframe_gltf(out, wireframe, parameters::error_message(&error));
+  }));
+  assert(fails([&](std::ostream& out, std::string& error) {
+    return CGAL::IO::write_wireframe_svg(out, wireframe, parameters::error_message(&error));
+  }));
+  assert(fails([&](std::ostream& out, std::string& error) {
+    return CGAL::IO::write_wireframe_csv(out, wireframe, parameters::error_message(&error));
+  }));
+  assert(fails([&](std::ostream& out, std::string& error) {
+    return CGAL::IO::write_wireframe_obj(out, wireframe, parameters::obj_splines(true).error_message(&error));
+  }));
 }
 
 // where decimals are written with a comma, and thousands with a point
 void test_other_locale()
 {
-  const auto write_each = []()
-  {
+  const auto write_each = []() {
     std::string all;
-    for(const std::string& extension : extensions)
-      for(const bool has_obj_splines : { false, true })
+    for (const std::string& extension : extensions)
+      for (const bool has_obj_splines : {false, true})
       {
         const std::string name = "formats_locale" + extension;
         const bool is_written =
@@ -834,8 +853,8 @@ void test_minimal_traits()
   curve.spline = curve.conic.to_spline(true);
   wireframe.curves.push_back(curve);
   std::vector<std::string> all = extensions;
-  all.insert(all.end(), { ".json", ".ply", ".txt" });
-  for(const std::string& extension : all)
+  all.insert(all.end(), {".json", ".ply", ".txt"});
+  for (const std::string& extension : all)
   {
     const std::string name = "formats_minimal" + extension;
     const bool is_written = CGAL::IO::write_wireframe(name, wireframe, parameters::geom_traits(Minimal_traits()));
@@ -846,7 +865,7 @@ void test_minimal_traits()
 
 int main(int argc, char** argv)
 {
-  if(argc > 1)
+  if (argc > 1)
   {
     write_all(argv[1]);
     return 0;

@@ -59,11 +59,14 @@ Traced_curve open_curve(const Polyline& points)
 void test_closed_curve_that_is_split_several_times()
 {
   const double radius = 100.;
-  for (const std::vector<double>& angles : {std::vector<double>{40.}, {40., 200.}, {200., 40.}, {10., 130., 131., 300.}}) {
+  for (const std::vector<double>& angles :
+       {std::vector<double>{40.}, {40., 200.}, {200., 40.}, {10., 130., 131., 300.}})
+  {
     std::vector<Traced_curve> traced(1);
     traced[0].points = circle(radius, 1200);
     traced[0].is_closed = true;
-    for (double angle : angles) {
+    for (double angle : angles)
+    {
       const Vector outward(std::cos(angle * CGAL_PI / 180.), std::sin(angle * CGAL_PI / 180.), 0.);
       traced.push_back(open_curve(straight(radius * outward, (radius + 60.) * outward, 120)));
     }
@@ -71,7 +74,8 @@ void test_closed_curve_that_is_split_several_times()
     Curve_end_joiner(network, Joining_options()).join();
     double on_circle = 0.;
     std::size_t pieces = 0;
-    for (const Network_curve& curve : network.curves) {
+    for (const Network_curve& curve : network.curves)
+    {
       if (!curve.is_alive || std::abs(curve.points[curve.points.size() / 2].norm() - radius) > 1.)
         continue;
       ++pieces;
@@ -116,12 +120,13 @@ void test_nearest_feet()
   Polyline walk{Vector(5., 5., 5.)};
   for (int k = 0; k < 60; ++k)
     walk.push_back(walk.back() + random_vector(random, 1.));
-  walk.push_back(walk.back());       // a segment without length
+  walk.push_back(walk.back()); // a segment without length
   polylines.push_back(walk);
   const double radius = 4.;
   const std::vector<Polyline_foot> feet = nearest_feet(band, pointers_to(polylines), radius);
   std::size_t valid = 0;
-  for (std::size_t i = 0; i < band.points.size(); ++i) {
+  for (std::size_t i = 0; i < band.points.size(); ++i)
+  {
     double nearest = radius * radius;
     for (const Polyline& polyline : polylines)
       for (std::size_t k = 1; k < polyline.size(); ++k)
@@ -132,9 +137,9 @@ void test_nearest_feet()
     ++valid;
     assert(std::abs(feet[i].distance - std::sqrt(nearest)) < 1e-9);
     const Polyline& nearest_polyline = polylines[feet[i].curve];
-    assert(std::abs(feet[i].interpolate(arc_lengths(nearest_polyline))
-                    - arc_lengths(nearest_polyline)[feet[i].segment]
-                    - (feet[i].point(nearest_polyline) - nearest_polyline[feet[i].segment]).norm()) < 1e-9);
+    assert(std::abs(feet[i].interpolate(arc_lengths(nearest_polyline)) - arc_lengths(nearest_polyline)[feet[i].segment]
+                    - (feet[i].point(nearest_polyline) - nearest_polyline[feet[i].segment]).norm())
+           < 1e-9);
     assert(std::abs((feet[i].point(nearest_polyline) - band.points[i]).norm() - feet[i].distance) < 1e-9);
   }
   assert(valid > 300 && valid < 2700);
@@ -147,12 +152,13 @@ Field_band folded_surface(double fold, double noise, double curvature, std::mt19
   std::normal_distribution<double> error(0., 1.);
   std::uniform_real_distribution<double> along(-12., 12.), across(-6., 6.);
   Field_band band;
-  for (int k = 0; k < 24 * 12; ++k) {
+  for (int k = 0; k < 24 * 12; ++k)
+  {
     const double s = along(random), x = across(random);
     const double side = changes_sides && s > 0. ? -1. : 1.;
-    band.points.push_back(Vector(s, x * std::cos(0.5 * fold),
-                                 -side * std::abs(x) * std::sin(0.5 * fold) + 0.5 * curvature * x * x)
-                          + noise * Vector(error(random), error(random), error(random)));
+    band.points.push_back(
+      Vector(s, x * std::cos(0.5 * fold), -side * std::abs(x) * std::sin(0.5 * fold) + 0.5 * curvature * x * x)
+      + noise * Vector(error(random), error(random), error(random)));
   }
   band.search.build(band.points, band.points.size());
   return band;
@@ -164,7 +170,8 @@ void test_surface_evidence()
   const Polyline curve = straight(Vector(-10., 0., 0.), Vector(10., 0., 0.), 40);
   for (double noise : {0., 0.05, 0.2})
     for (double degrees : {0., 20., 45., 90.})
-      for (int k = 0; k < 10; ++k) {
+      for (int k = 0; k < 10; ++k)
+      {
         const double fold = degrees * CGAL_PI / 180.;
         const Field_band band = folded_surface(fold, noise, 0., random);
         const Surface_evidence::Fold found = Surface_evidence(band).folds({&curve, nullptr})[0];
@@ -175,28 +182,33 @@ void test_surface_evidence()
         assert(std::abs(found.slope - slope) < 0.02 + 0.15 * slope + 4. * found.deviation);
       }
   // the edge of a thin wall is no smooth surface, even if there is nothing else
-  for (double thickness : {1., 2., 3.}) {
+  for (double thickness : {1., 2., 3.})
+  {
     std::uniform_real_distribution<double> share(0., 1.);
     std::normal_distribution<double> error(0., 0.25);
     Field_band wall;
-    for (int k = 0; k < 24 * 14; ++k) {
+    for (int k = 0; k < 24 * 14; ++k)
+    {
       const double s = 24. * share(random) - 12., place = (12. + thickness) * share(random) - 6.;
       const double across = place < 0. ? -0.5 : place > thickness ? 0.5 : place / thickness - 0.5;
       const double along = place < 0. ? -place : place > thickness ? place - thickness : 0.;
-      wall.points.push_back(Vector(s, across * thickness, -along) + Vector(error(random), error(random), error(random)));
+      wall.points.push_back(Vector(s, across * thickness, -along)
+                            + Vector(error(random), error(random), error(random)));
     }
     wall.search.build(wall.points, wall.points.size());
     const Surface_evidence::Fold found = Surface_evidence(wall).folds({&curve})[0];
     assert(!found.is_known || found.slope + found.deviation > 0.15);
   }
   // a fold up and a fold down do not make a smooth surface
-  for (double degrees : {45., 90.}) {
+  for (double degrees : {45., 90.})
+  {
     const Field_band band = folded_surface(degrees * CGAL_PI / 180., 0.05, 0., random, true);
     const Surface_evidence::Fold found = Surface_evidence(band).folds({&curve})[0];
     assert(!found.is_known || found.slope > 0.15);
   }
   // what is folded sharply is not a graph over the plane of most of its points, but never smooth either
-  for (double degrees : {120., 150., 165.}) {
+  for (double degrees : {120., 150., 165.})
+  {
     const Field_band band = folded_surface(degrees * CGAL_PI / 180., 0.02, 0., random);
     const Surface_evidence::Fold found = Surface_evidence(band).folds({&curve})[0];
     assert(!found.is_known || found.slope + found.deviation > 0.15);
@@ -222,7 +234,8 @@ void test_foot_derivatives()
 {
   std::mt19937 random(3);
   for (Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE})
-    for (int round = 0; round < 50; ++round) {
+    for (int round = 0; round < 50; ++round)
+    {
       Primitive_curve curve;
       curve.kind = kind;
       curve.center = random_vector(random, 5.);
@@ -232,7 +245,8 @@ void test_foot_derivatives()
       const Vector p = random_vector(random, 6.);
       Eigen::Matrix<double, 3, Primitive_curve::most_parameters> columns;
       curve.foot_derivatives(p, columns);
-      for (int i = 0; i < curve.number_of_parameters(); ++i) {
+      for (int i = 0; i < curve.number_of_parameters(); ++i)
+      {
         double step[Primitive_curve::most_parameters] = {};
         step[i] = 1e-6;
         const Vector ahead = curve.moved(step).foot(p);
@@ -247,7 +261,8 @@ void test_different_positions()
 {
   std::mt19937 random(4);
   Polyline positions;
-  for (int k = 0; k < 2000; ++k) {
+  for (int k = 0; k < 2000; ++k)
+  {
     const Vector p = random_vector(random, 4.);
     positions.push_back(Vector(std::round(p.x()), std::round(p.y()), std::round(p.z())));
   }

@@ -29,7 +29,7 @@ namespace {
 
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_3 Point;
-typedef std::vector<std::pair<Point, double> > Cloud;
+typedef std::vector<std::pair<Point, double>> Cloud;
 typedef CGAL::Wireframe<Kernel> Wireframe;
 
 const double r = 0.02;
@@ -56,7 +56,10 @@ struct Similarity
   static Similarity of_quaternion(double w, double x, double y, double z)
   {
     const double n = std::sqrt(w * w + x * x + y * y + z * z);
-    w /= n; x /= n; y /= n; z /= n;
+    w /= n;
+    x /= n;
+    y /= n;
+    z /= n;
     Similarity result;
     result.rotation = {{{{1. - 2. * (y * y + z * z), 2. * (x * y - z * w), 2. * (x * z + y * w)}},
                         {{2. * (x * y + z * w), 1. - 2. * (x * x + z * z), 2. * (y * z - x * w)}},
@@ -75,7 +78,8 @@ struct Similarity
 
 Cloud transformed(Cloud cloud, const Similarity& similarity)
 {
-  for (auto& sample : cloud) {
+  for (auto& sample : cloud)
+  {
     sample.first = similarity(sample.first);
     sample.second *= similarity.scale;
   }
@@ -92,7 +96,8 @@ double deviation(const Wireframe::Curve& a, const Wireframe::Curve& b, const Sim
   double best = (std::numeric_limits<double>::infinity)();
   if (p.size() != q.size() || a.is_closed() != b.is_closed())
     return best;
-  for (bool is_reversed : {false, true}) {
+  for (bool is_reversed : {false, true})
+  {
     double largest = 0.;
     for (std::size_t i = 0; i < p.size(); ++i)
       largest = (std::max)(largest, distance(similarity(p[i]), q[is_reversed ? q.size() - 1 - i : i]));
@@ -106,7 +111,8 @@ void check_same(const Wireframe& a, const Wireframe& b, const Similarity& simila
   assert(!a.is_empty());
   assert(a.curves.size() == b.curves.size() && a.vertices.size() == b.vertices.size());
   assert(std::abs(b.sampling_distance - similarity.scale * a.sampling_distance) < 1e-9 * b.sampling_distance);
-  for (const Wireframe::Curve& curve : a.curves) {
+  for (const Wireframe::Curve& curve : a.curves)
+  {
     double best = (std::numeric_limits<double>::infinity)();
     for (const Wireframe::Curve& other : b.curves)
       best = (std::min)(best, deviation(curve, other, similarity));
@@ -130,10 +136,12 @@ bool are_identical(const Wireframe& a, const Wireframe& b)
 double share_astray(const Wireframe& a, const Wireframe& b)
 {
   std::size_t count = 0, astray = 0;
-  for (const Wireframe::Curve& curve : a.curves) {
+  for (const Wireframe::Curve& curve : a.curves)
+  {
     std::vector<Point> samples;
     curve.spline.sample_by_distance(r, std::back_inserter(samples));
-    for (const Point& p : samples) {
+    for (const Point& p : samples)
+    {
       double nearest = (std::numeric_limits<double>::infinity)();
       for (const Wireframe::Curve& other : b.curves)
         nearest = (std::min)(nearest, other.spline.closest_point(p).distance);
@@ -150,13 +158,15 @@ void test_exact_fields()
   std::mt19937_64 engine(3);
   std::normal_distribution<double> normal;
   for (const char* name : {"box_with_hole", "wedge", "u_channel"})
-    for (Sampling sampling : {Sampling::POISSON, Sampling::UNIFORM}) {
+    for (Sampling sampling : {Sampling::POISSON, Sampling::UNIFORM})
+    {
       const Cloud cloud = cloud_of(name, sampling, Field_kind::EXACT, 11);
       const Wireframe wireframe = CGAL::extract_wireframe(cloud);
       check_same(wireframe, CGAL::extract_wireframe(shuffled(cloud, 7)), Similarity(), 1e-3);
-      for (double scale : {1e-3, 1., 1e4}) {
-        Similarity similarity = Similarity::of_quaternion(normal(engine), normal(engine), normal(engine),
-                                                          normal(engine));
+      for (double scale : {1e-3, 1., 1e4})
+      {
+        Similarity similarity =
+          Similarity::of_quaternion(normal(engine), normal(engine), normal(engine), normal(engine));
         similarity.scale = scale;
         similarity.translation = {{3. * scale, -5. * scale, 2. * scale}};
         check_same(wireframe, CGAL::extract_wireframe(transformed(cloud, similarity)), similarity, 1e-3);
@@ -169,7 +179,8 @@ void test_exact_fields()
 void test_noisy_fields()
 {
   using namespace Sample_solids;
-  for (const char* name : {"box_with_hole", "slotted_plate"}) {
+  for (const char* name : {"box_with_hole", "slotted_plate"})
+  {
     const Cloud cloud = cloud_of(name, Sampling::POISSON, Field_kind::DEF, 5);
     const Wireframe wireframe = CGAL::extract_wireframe(cloud);
     Similarity doubled;
@@ -184,10 +195,12 @@ void test_threads()
 {
 #ifdef CGAL_LINKED_WITH_TBB
   using namespace Sample_solids;
-  for (Field_kind field : {Field_kind::EXACT, Field_kind::DEF}) {
+  for (Field_kind field : {Field_kind::EXACT, Field_kind::DEF})
+  {
     const Cloud cloud = cloud_of("box_with_hole", Sampling::UNIFORM, field, 2);
     Wireframe results[2];
-    for (int k = 0; k < 2; ++k) {
+    for (int k = 0; k < 2; ++k)
+    {
       const tbb::global_control control(tbb::global_control::max_allowed_parallelism, k + 1);
       results[k] = CGAL::extract_wireframe(cloud);
     }

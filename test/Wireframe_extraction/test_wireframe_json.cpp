@@ -39,18 +39,15 @@ public:
   {
     Wireframe wireframe;
     wireframe.sampling_distance = number(0.01, 1);
-    for(std::size_t i = 0; i < 5; ++i)
+    for (std::size_t i = 0; i < 5; ++i)
       wireframe.vertices.push_back(point());
-    for(std::size_t i = 0; i < 20; ++i)
+    for (std::size_t i = 0; i < 20; ++i)
       wireframe.curves.push_back(curve(wireframe, i));
     return wireframe;
   }
 
 private:
-  FT number(double low, double high)
-  {
-    return FT(std::uniform_real_distribution<double>(low, high)(random_));
-  }
+  FT number(double low, double high) { return FT(std::uniform_real_distribution<double>(low, high)(random_)); }
 
   Point_3 point()
   {
@@ -67,8 +64,7 @@ private:
     const Traits traits;
     result.conic.center = point();
     result.conic.axis = traits.construct_vector_3_object()(FT(std::sin(tilt)), FT(0), FT(std::cos(tilt)));
-    result.conic.major_direction = traits.construct_vector_3_object()(FT(std::cos(tilt)), FT(0),
-                                                                      FT(-std::sin(tilt)));
+    result.conic.major_direction = traits.construct_vector_3_object()(FT(std::cos(tilt)), FT(0), FT(-std::sin(tilt)));
     result.conic.major_radius = number(2, 3);
     result.conic.minor_radius = type == Type::CIRCLE || type == Type::ARC ? result.conic.major_radius : number(1, 2);
     const bool is_full = type == Type::CIRCLE || type == Type::ELLIPSE;
@@ -79,7 +75,7 @@ private:
     result.uncertainty.direction = number(0, 1);
     result.uncertainty.major_radius = number(0, 1);
     result.uncertainty.minor_radius = number(0, 1);
-    if(!is_full)
+    if (!is_full)
     {
       result.source = wireframe.vertices.size();
       result.target = result.source + 1;
@@ -92,15 +88,15 @@ private:
   Curve curve(Wireframe& wireframe, std::size_t i)
   {
     const CGAL::Wireframe_curve_type type = static_cast<CGAL::Wireframe_curve_type>(i % 6);
-    if(CGAL::is_conic(type))
+    if (CGAL::is_conic(type))
       return conic(wireframe, type);
     const bool is_closed = (i % 4 == 1), has_vertex = !is_closed || i % 8 == 1;
     const std::size_t degree = 1 + i % 5, count = degree + 2 + i % 7;
     std::vector<Point_3> points;
-    for(std::size_t j = 0; j < count; ++j)
+    for (std::size_t j = 0; j < count; ++j)
       points.push_back(point());
     Curve result;
-    if(has_vertex)
+    if (has_vertex)
     {
       result.source = i % 5;
       result.target = is_closed ? result.source : (i + 1) % 5;
@@ -108,10 +104,10 @@ private:
     }
     points.back() = has_vertex ? wireframe.vertices[result.target] : points.front();
     std::vector<FT> knots(degree + 1, FT(-1) / FT(3)), weights;
-    for(std::size_t j = degree + 1; j < count; ++j)
+    for (std::size_t j = degree + 1; j < count; ++j)
       knots.push_back(knots.back() + number(0.1, 1));
     knots.insert(knots.end(), degree + 1, knots.back() + number(0.1, 1));
-    for(std::size_t j = 0; j < count && i % 3 == 0; ++j)
+    for (std::size_t j = 0; j < count && i % 3 == 0; ++j)
       weights.push_back(number(0.5, 2));
     result.type = type;
     result.spline = typename Curve::Spline(degree, knots, points, weights, is_closed);
@@ -130,8 +126,8 @@ std::vector<double> numbers_of(const std::vector<Position>& points)
 {
   std::vector<double> numbers;
   const auto begin = Traits().construct_cartesian_const_iterator_3_object();
-  for(const auto& point : points)
-    for(auto iterator = begin(point); iterator != begin(point, 0); ++iterator)
+  for (const auto& point : points)
+    for (auto iterator = begin(point); iterator != begin(point, 0); ++iterator)
       numbers.push_back(CGAL::to_double(*iterator));
   return numbers;
 }
@@ -141,12 +137,12 @@ std::vector<double> conic_numbers(const CGAL::Wireframe_curve<Traits>& curve)
 {
   const auto& c = curve.conic;
   const auto& u = curve.uncertainty;
-  std::vector<double> numbers = numbers_of<Traits>(std::vector<typename Traits::Point_3>{ c.center });
-  const std::vector<typename Traits::Vector_3> directions = { c.axis, c.major_direction };
-  for(const double number : numbers_of<Traits>(directions))
+  std::vector<double> numbers = numbers_of<Traits>(std::vector<typename Traits::Point_3>{c.center});
+  const std::vector<typename Traits::Vector_3> directions = {c.axis, c.major_direction};
+  for (const double number : numbers_of<Traits>(directions))
     numbers.push_back(number);
-  for(const auto& number : { c.major_radius, c.minor_radius, c.start_angle, c.end_angle, u.position, u.direction,
-                             u.major_radius, u.minor_radius })
+  for (const auto& number : {c.major_radius, c.minor_radius, c.start_angle, c.end_angle, u.position, u.direction,
+                             u.major_radius, u.minor_radius})
     numbers.push_back(CGAL::to_double(number));
   return numbers;
 }
@@ -155,19 +151,18 @@ template <class Traits>
 bool are_equal(const CGAL::Wireframe<Traits>& first, const CGAL::Wireframe<Traits>& second)
 {
   bool is_equal = first.sampling_distance == second.sampling_distance
-                  && numbers_of<Traits>(first.vertices) == numbers_of<Traits>(second.vertices)
-                  && first.curves.size() == second.curves.size();
-  for(std::size_t i = 0; i < first.curves.size() && is_equal; ++i)
+    && numbers_of<Traits>(first.vertices) == numbers_of<Traits>(second.vertices)
+    && first.curves.size() == second.curves.size();
+  for (std::size_t i = 0; i < first.curves.size() && is_equal; ++i)
   {
     const auto& a = first.curves[i];
     const auto& b = second.curves[i];
     is_equal = a.type == b.type && a.source == b.source && a.target == b.target && a.support == b.support
-               && a.root_mean_square == b.root_mean_square && a.maximum_deviation == b.maximum_deviation
-               && (!CGAL::is_conic(a.type) || conic_numbers(a) == conic_numbers(b))
-               && a.is_closed() == b.is_closed() && a.spline.degree() == b.spline.degree()
-               && a.spline.knots() == b.spline.knots() && a.spline.weights() == b.spline.weights()
-               && numbers_of<Traits>(a.spline.control_points())
-                  == numbers_of<Traits>(b.spline.control_points());
+      && a.root_mean_square == b.root_mean_square && a.maximum_deviation == b.maximum_deviation
+      && (!CGAL::is_conic(a.type) || conic_numbers(a) == conic_numbers(b)) && a.is_closed() == b.is_closed()
+      && a.spline.degree() == b.spline.degree() && a.spline.knots() == b.spline.knots()
+      && a.spline.weights() == b.spline.weights()
+      && numbers_of<Traits>(a.spline.control_points()) == numbers_of<Traits>(b.spline.control_points());
   }
   return is_equal;
 }
@@ -204,15 +199,15 @@ void test_json_details()
   assert(result.is_empty() && result.vertices.empty() && result.sampling_distance == 0);
 
   // the sign of zero, the smallest and the largest numbers
-  wireframe.vertices = { Point(-0., 5e-324, 1.7976931348623157e308),
-                         Point(1e22, 123456789012345678., 1. / 3) };
+  wireframe.vertices = {Point(-0., 5e-324, 1.7976931348623157e308), Point(1e22, 123456789012345678., 1. / 3)};
   std::stringstream extreme;
   assert(CGAL::IO::write_wireframe_json(extreme, wireframe));
   assert(CGAL::IO::read_wireframe_json(extreme, result));
   assert(result.vertices == wireframe.vertices && std::signbit(result.vertices[0].x()));
 
   // unknown keys, keys that may be missing, a closed curve without vertex
-  std::stringstream foreign("{\"format\":\"wireframe\",\"version\":1,\"sampling_distance\":0.5,\"by\":[{}],"
+  std::stringstream foreign(
+    "{\"format\":\"wireframe\",\"version\":1,\"sampling_distance\":0.5,\"by\":[{}],"
     "\"vertices\":[],\"curves\":[{\"type\":\"bspline\",\"closed\":true,\"degree\":1,\"radius\":null,"
     "\"knots\":[0,0,1,2,3,3],\"control_points\":[[0,0,0],[1,0,0],[0,1,0],[0,0,0]],\"source\":null}]}");
   assert(CGAL::IO::read_wireframe_json(foreign, result));
@@ -228,14 +223,13 @@ void test_json_details()
 // the parameters of a conic must be sound, and lead to the ends of its spline
 void test_bad_conics()
 {
-  const auto fails = [](const CGAL::Wireframe<Kernel>& wireframe, const std::string& word)
-  {
+  const auto fails = [](const CGAL::Wireframe<Kernel>& wireframe, const std::string& word) {
     std::ostringstream stream;
     std::string error;
     const bool is_written =
       CGAL::IO::write_wireframe_json(stream, wireframe, CGAL::Wireframe_extraction::parameters::error_message(&error));
     return !is_written && stream.str().empty() && error.find("curve 2") != std::string::npos
-           && error.find(word) != std::string::npos;
+      && error.find(word) != std::string::npos;
   };
   const CGAL::Wireframe<Kernel> good = theta_wireframe();
   assert(!fails(good, ""));
@@ -280,7 +274,7 @@ void test_replacing()
   const Test_file link("_link.json");
   std::error_code code;
   std::filesystem::create_symlink(file.name, link.name, code);
-  if(code)
+  if (code)
     return;
   assert(CGAL::IO::write_wireframe(link.name, CGAL::Wireframe<Kernel>()));
   assert(std::filesystem::is_symlink(link.name));
@@ -302,7 +296,7 @@ void test_other_locale()
 int main()
 {
   test_bad_conics();
-  for(unsigned seed = 0; seed < 10; ++seed)
+  for (unsigned seed = 0; seed < 10; ++seed)
   {
     test_json_round_trip<Kernel>(seed);
     test_json_round_trip<CGAL::Exact_predicates_inexact_constructions_kernel>(seed);

@@ -43,7 +43,7 @@ const Sample_solids::Cloud& samples()
 }
 
 template <class Kernel>
-std::vector<std::pair<typename Kernel::Point_3, double> > cloud()
+std::vector<std::pair<typename Kernel::Point_3, double>> cloud()
 {
   return cloud_of_samples<typename Kernel::Point_3>(samples());
 }
@@ -68,7 +68,8 @@ bool are_equal(const CGAL::Wireframe<A>& a, const CGAL::Wireframe<B>& b)
   for (std::size_t v = 0; v < a.vertices.size(); ++v)
     if (coordinates<A>(a.vertices[v]) != coordinates<B>(b.vertices[v]))
       return false;
-  for (std::size_t c = 0; c < a.curves.size(); ++c) {
+  for (std::size_t c = 0; c < a.curves.size(); ++c)
+  {
     const auto& x = a.curves[c];
     const auto& y = b.curves[c];
     if (x.source != y.source || x.target != y.target || x.is_closed() != y.is_closed() || x.support != y.support
@@ -128,14 +129,17 @@ void test_kernels()
 void test_minimal_traits()
 {
   std::vector<Measurement> measurements;
-  for (std::size_t i = 0; i < samples().points.size(); ++i) {
+  for (std::size_t i = 0; i < samples().points.size(); ++i)
+  {
     const Sample_solids::Point& p = samples().points[i];
     measurements.push_back({Minimal_point(p[0], p[1], p[2]), 1.f, samples().distances[i]});
   }
   Report report;
-  const CGAL::Wireframe<Minimal_traits> wireframe = CGAL::extract_wireframe(
-    measurements, WP::distance_map(Field_map()).extraction_report(std::ref(report)).point_map(Position_map())
-                    .geom_traits(Minimal_traits()));
+  const CGAL::Wireframe<Minimal_traits> wireframe = CGAL::extract_wireframe(measurements,
+                                                                            WP::distance_map(Field_map())
+                                                                              .extraction_report(std::ref(report))
+                                                                              .point_map(Position_map())
+                                                                              .geom_traits(Minimal_traits()));
   assert(report.status == Report::Status::SUCCESS);
   assert(are_equal(expected(), wireframe));
   // the stages and the published method get along with the traits as well
@@ -153,10 +157,10 @@ void test_minimal_traits()
 void test_other_range()
 {
   const auto vector = cloud<Cartesian>();
-  const std::list<std::pair<Cartesian::Point_3, double> > list(vector.begin(), vector.end());
+  const std::list<std::pair<Cartesian::Point_3, double>> list(vector.begin(), vector.end());
   assert(are_equal(expected(), CGAL::extract_wireframe(list)));
-  const CGAL::Wireframe<Cartesian> with_traits = CGAL::extract_wireframe(
-    list, WP::skip_invalid(false).geom_traits(Cartesian()));
+  const CGAL::Wireframe<Cartesian> with_traits =
+    CGAL::extract_wireframe(list, WP::skip_invalid(false).geom_traits(Cartesian()));
   assert(are_equal(expected(), with_traits));
 }
 
@@ -166,8 +170,9 @@ void test_point_set()
   const auto distances = points.add_property_map<double>("distance", 0.).first;
   for (const auto& sample : cloud<Epick>())
     distances[*points.insert(sample.first)] = sample.second;
-  assert(are_equal(expected(), CGAL::extract_wireframe(
-    points, WP::distance_map(distances).point_map(points.point_map()).geom_traits(Epick()))));
+  assert(are_equal(
+    expected(),
+    CGAL::extract_wireframe(points, WP::distance_map(distances).point_map(points.point_map()).geom_traits(Epick()))));
 }
 
 // indices into two arrays
@@ -177,13 +182,16 @@ void test_indices()
   std::vector<Epick::Point_3> points;
   std::vector<double> distances;
   std::vector<std::size_t> indices;
-  for (const auto& sample : pairs) {
+  for (const auto& sample : pairs)
+  {
     indices.push_back(points.size());
     points.push_back(sample.first);
     distances.push_back(sample.second);
   }
-  assert(are_equal(expected(), CGAL::extract_wireframe(
-    indices, WP::distance_map(CGAL::make_property_map(distances)).point_map(CGAL::make_property_map(points)))));
+  assert(are_equal(
+    expected(),
+    CGAL::extract_wireframe(
+      indices, WP::distance_map(CGAL::make_property_map(distances)).point_map(CGAL::make_property_map(points)))));
 }
 
 // ---- visitors
@@ -195,7 +203,11 @@ struct Recorder : WE::Default_visitor
   double unit = 0.;
   std::size_t skeleton_size = 0, number_of_corners = 0, number_of_clusters = 0, number_of_curves = 0;
 
-  void sampling_distance_estimated(double r) { calls.push_back("unit"); unit = r; }
+  void sampling_distance_estimated(double r)
+  {
+    calls.push_back("unit");
+    unit = r;
+  }
 
   template <class Skeleton>
   void skeleton_selected(const Skeleton& skeleton)
@@ -261,18 +273,22 @@ struct Graph_counter : WE::Default_visitor
   std::size_t* vertices;
   explicit Graph_counter(std::size_t& counter) : vertices(&counter) {}
   template <class Graph>
-  void graph_built(const Graph& graph) { *vertices += boost::num_vertices(graph); }
+  void graph_built(const Graph& graph)
+  {
+    *vertices += boost::num_vertices(graph);
+  }
 };
 
-const std::vector<std::string> all_calls{"unit", "skeleton", "contraction", "corners", "clusters", "graph", "curves", "types"};
+const std::vector<std::string> all_calls{"unit",     "skeleton", "contraction", "corners",
+                                         "clusters", "graph",    "curves",      "types"};
 
 void test_visitor()
 {
   Recorder recorder;
   Report report;
-  const auto wireframe = CGAL::extract_wireframe(
-    cloud<Epick>(), WP::visitor(std::ref(recorder)).extraction_report(std::ref(report)));
-  assert(are_equal(expected(), wireframe));    // watching changes nothing
+  const auto wireframe =
+    CGAL::extract_wireframe(cloud<Epick>(), WP::visitor(std::ref(recorder)).extraction_report(std::ref(report)));
+  assert(are_equal(expected(), wireframe)); // watching changes nothing
   assert(recorder.calls == all_calls);
   assert(recorder.unit == report.sampling_distance);
   assert(recorder.skeleton_size == report.skeleton_size);
@@ -298,13 +314,16 @@ void test_visitor()
 void test_progress()
 {
   std::vector<double> shares;
-  const std::function<bool(double)> callback = [&](double share) { shares.push_back(share); return true; };
+  const std::function<bool(double)> callback = [&](double share) {
+    shares.push_back(share);
+    return true;
+  };
   Report report;
-  const auto wireframe = CGAL::extract_wireframe(
-    cloud<Epick>(), WP::extraction_report(std::ref(report)).callback(callback));
+  const auto wireframe =
+    CGAL::extract_wireframe(cloud<Epick>(), WP::extraction_report(std::ref(report)).callback(callback));
   assert(are_equal(expected(), wireframe));
   assert(report.status == Report::Status::SUCCESS);
-  assert(shares.size() >= 8);       // every stage, at least
+  assert(shares.size() >= 8); // every stage, at least
   assert(std::is_sorted(shares.begin(), shares.end()));
   assert(shares.front() > 0. && shares.back() == 1.);
   assert(report.seconds.size() == 9);
@@ -315,7 +334,8 @@ void test_progress()
 void test_cancelling()
 {
   std::size_t last_number_of_calls = 0;
-  for (double limit : {0., 0.16, 0.3, 0.52, 0.58, 0.65, 0.85, 0.95}) {
+  for (double limit : {0., 0.16, 0.3, 0.52, 0.58, 0.65, 0.85, 0.95})
+  {
     bool is_cancelled = false;
     std::size_t calls_afterwards = 0;
     const std::function<bool(double)> callback = [&](double share) {
@@ -340,8 +360,8 @@ void test_cancelling()
   // at the very end it is too late to matter, but the answer is respected
   Report report;
   const std::function<bool(double)> at_the_end = [](double share) { return share < 1.; };
-  assert(CGAL::extract_wireframe(cloud<Epick>(), WP::extraction_report(std::ref(report)).callback(at_the_end))
-           .is_empty());
+  assert(
+    CGAL::extract_wireframe(cloud<Epick>(), WP::extraction_report(std::ref(report)).callback(at_the_end)).is_empty());
   assert(report.status == Report::Status::CANCELLED);
 }
 
@@ -350,8 +370,8 @@ void test_cancelling()
 void test_paper_defaults()
 {
   Report report;
-  const auto published = CGAL::extract_wireframe(
-    cloud<Epick>(), WP::paper_defaults().extraction_report(std::ref(report)));
+  const auto published =
+    CGAL::extract_wireframe(cloud<Epick>(), WP::paper_defaults().extraction_report(std::ref(report)));
   assert(report.status == Report::Status::SUCCESS && !published.is_empty());
   assert(!are_equal(expected(), published));
   for (const auto& curve : published.curves)
@@ -365,13 +385,25 @@ void test_paper_defaults()
 
 void test_defaults_are_defaults()
 {
-  const auto wireframe = CGAL::extract_wireframe(
-    cloud<Epick>(),
-    WP::skeleton_distance(1.5).support_distance(3.).fitting_radius(4.)
-      .corner_measure(WE::Corner_measure::FIELD_RESIDUAL).connection_radius(3.).connection_angle(30.)
-      .use_tangents(true).graph_method(WE::Graph_method::TRACED).corner_reach(5.).maximum_gap(18.)
-      .smooth_angle(20.).minimum_evidence(2.).use_creases(true).use_robust_loss(true).move_corners(true).adapt_knots(true)
-      .number_of_rounds(3).skip_invalid(false));
+  const auto wireframe = CGAL::extract_wireframe(cloud<Epick>(),
+                                                 WP::skeleton_distance(1.5)
+                                                   .support_distance(3.)
+                                                   .fitting_radius(4.)
+                                                   .corner_measure(WE::Corner_measure::FIELD_RESIDUAL)
+                                                   .connection_radius(3.)
+                                                   .connection_angle(30.)
+                                                   .use_tangents(true)
+                                                   .graph_method(WE::Graph_method::TRACED)
+                                                   .corner_reach(5.)
+                                                   .maximum_gap(18.)
+                                                   .smooth_angle(20.)
+                                                   .minimum_evidence(2.)
+                                                   .use_creases(true)
+                                                   .use_robust_loss(true)
+                                                   .move_corners(true)
+                                                   .adapt_knots(true)
+                                                   .number_of_rounds(3)
+                                                   .skip_invalid(false));
   assert(are_equal(expected(), wireframe));
   // integers and floats are numbers, too
   assert(are_equal(expected(), CGAL::extract_wireframe(cloud<Epick>(), WP::fitting_radius(4).support_distance(3.f))));

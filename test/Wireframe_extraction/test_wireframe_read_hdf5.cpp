@@ -23,12 +23,12 @@ void test_hdf5()
     const Test_file file(".h5");
     {
       Hdf5_writer writer(file.name);
-      writer.add("points", points_of(cloud), { n, 3 }, H5T_IEEE_F32LE);
-      writer.add("distances", distances_of(cloud), { n }, H5T_IEEE_F32BE);
+      writer.add("points", points_of(cloud), {n, 3}, H5T_IEEE_F32LE);
+      writer.add("distances", distances_of(cloud), {n}, H5T_IEEE_F32BE);
     }
     assert(read(file.name) == cloud);
   }
-  for(const bool is_compressed : { false, true })
+  for (const bool is_compressed : {false, true})
   {
     const Cloud small = sample_cloud(4000);
     const Test_file file(".HDF5");
@@ -36,28 +36,28 @@ void test_hdf5()
       Hdf5_writer writer(file.name);
       writer.add_group("of_model");
       writer.add_text("item_id"); // and no has_sharp
-      writer.add("points", points_of(small), { 10, 400, 3 }, H5T_IEEE_F64BE, is_compressed);
-      writer.add("distances", distances_of(small), { 10, 400 }, H5T_IEEE_F32LE, is_compressed);
-      writer.add("quality", std::vector<double>(4000, 7.), { 4000 }, H5T_STD_I16LE, is_compressed);
-      writer.add("of_model/xyz", points_of(small), { 4000, 3 });
+      writer.add("points", points_of(small), {10, 400, 3}, H5T_IEEE_F64BE, is_compressed);
+      writer.add("distances", distances_of(small), {10, 400}, H5T_IEEE_F32LE, is_compressed);
+      writer.add("quality", std::vector<double>(4000, 7.), {4000}, H5T_STD_I16LE, is_compressed);
+      writer.add("of_model/xyz", points_of(small), {4000, 3});
     }
     assert(read(file.name) == small);
-    assert(read(file.name, { "of_model/xyz", "quality", "" })[42].first == small[42].first);
-    assert(read(file.name, { "", "quality", "" })[17].second == 7.);
-    assert(read(file.name, { "", "", "quality" })[17].second == 7.);
+    assert(read(file.name, {"of_model/xyz", "quality", ""})[42].first == small[42].first);
+    assert(read(file.name, {"", "quality", ""})[17].second == 7.);
+    assert(read(file.name, {"", "", "quality"})[17].second == 7.);
     assert(read_pair(file.name, file.name) == small);
     const Test_file text("_points.xyz", "0 0 0\n");
-    refuse_pair(text.name, file.name, { "1 point,", "4000 distances" });
-    const Words contents = { "distances (10 x 400)", "item_id (of a single number)", "of_model/xyz (4000 x 3)",
-                             "points (10 x 400 x 3)", "quality (4000)" };
-    refuse(file, contents, { "vertices", "", "" });
-    refuse(file, { "no data set \"vertices\"", "points_dataset" }, { "vertices", "", "" });
-    refuse(file, contents, { "", "field", "" });
-    refuse(file, { "no data set \"field\"", "distances_dataset", "separate file" }, { "", "field", "" });
-    refuse(file, { "\"quality\" has the shape 4000;", "N x 3", "B x N x 3", "points_dataset" }, { "quality", "", "" });
-    refuse(file, { "\"item_id\" holds no numbers" }, { "item_id", "", "" });
-    refuse(file, { "\"of_model/xyz\" has the shape 4000 x 3,", "\"points\" 10 x 400 x 3", "exactly one distance" },
-           { "", "of_model/xyz", "" });
+    refuse_pair(text.name, file.name, {"1 point,", "4000 distances"});
+    const Words contents = {"distances (10 x 400)", "item_id (of a single number)", "of_model/xyz (4000 x 3)",
+                            "points (10 x 400 x 3)", "quality (4000)"};
+    refuse(file, contents, {"vertices", "", ""});
+    refuse(file, {"no data set \"vertices\"", "points_dataset"}, {"vertices", "", ""});
+    refuse(file, contents, {"", "field", ""});
+    refuse(file, {"no data set \"field\"", "distances_dataset", "separate file"}, {"", "field", ""});
+    refuse(file, {"\"quality\" has the shape 4000;", "N x 3", "B x N x 3", "points_dataset"}, {"quality", "", ""});
+    refuse(file, {"\"item_id\" holds no numbers"}, {"item_id", "", ""});
+    refuse(file, {"\"of_model/xyz\" has the shape 4000 x 3,", "\"points\" 10 x 400 x 3", "exactly one distance"},
+           {"", "of_model/xyz", ""});
   }
 }
 
@@ -65,11 +65,11 @@ void test_hdf5_rows()
 {
   const Cloud cloud = sample_cloud(300);
   std::vector<std::vector<double>> points(100), distances(100);
-  for(std::size_t i = 0, row = 0; i < cloud.size(); ++i)
+  for (std::size_t i = 0, row = 0; i < cloud.size(); ++i)
   {
-    points[row].insert(points[row].end(), { cloud[i].first.x(), cloud[i].first.y(), cloud[i].first.z() });
+    points[row].insert(points[row].end(), {cloud[i].first.x(), cloud[i].first.y(), cloud[i].first.z()});
     distances[row].push_back(cloud[i].second);
-    if(i % 7 == 3)
+    if (i % 7 == 3)
       ++row;
   }
   const Test_file file(".h5");
@@ -77,64 +77,63 @@ void test_hdf5_rows()
     Hdf5_writer writer(file.name);
     writer.add_rows("points", points);
     writer.add_rows("distances", distances, H5T_IEEE_F32LE);
-    writer.add("flat", distances_of(cloud), { 300 });
+    writer.add("flat", distances_of(cloud), {300});
     points[2].pop_back();
     writer.add_rows("bad", points);
     std::swap(distances[1], distances[90]);
     writer.add_rows("swapped", distances);
   }
   assert(read(file.name) == cloud);
-  assert(read(file.name, { "", "flat", "" }) == cloud);
-  refuse(file, { "\"bad\" has the shape 100 rows", "multiples of three" }, { "bad", "", "" });
-  refuse(file, { "\"swapped\" has the shape 100 rows", "exactly one distance" }, { "", "swapped", "" });
+  assert(read(file.name, {"", "flat", ""}) == cloud);
+  refuse(file, {"\"bad\" has the shape 100 rows", "multiples of three"}, {"bad", "", ""});
+  refuse(file, {"\"swapped\" has the shape 100 rows", "exactly one distance"}, {"", "swapped", ""});
 }
 
 void test_bad_hdf5()
 {
-  refuse(".h5", "", { "is empty", "get a complete copy" });
-  refuse(".h5", "1 2 3 4\n", { "no HDF5 file", "truncated" });
+  refuse(".h5", "", {"is empty", "get a complete copy"});
+  refuse(".h5", "1 2 3 4\n", {"no HDF5 file", "truncated"});
   {
     const Test_file file(".h5");
     Hdf5_writer(file.name);
-    refuse(file, { "no data set \"points\"", "no data set at all" });
+    refuse(file, {"no data set \"points\"", "no data set at all"});
   }
   {
     const Test_file file(".h5");
     {
       Hdf5_writer writer(file.name);
-      writer.add("points", {}, { 0, 3 });
-      writer.add("distances", {}, { 0 });
-      writer.add("huge", {}, { hsize_t(1) << 40, 3 }, H5T_IEEE_F64LE, true, false);
+      writer.add("points", {}, {0, 3});
+      writer.add("distances", {}, {0});
+      writer.add("huge", {}, {hsize_t(1) << 40, 3}, H5T_IEEE_F64LE, true, false);
       writer.add_external("elsewhere", 100);
-      writer.add("vast", {}, { hsize_t(1) << 61, 3 }, H5T_STD_I8LE, true, false);
+      writer.add("vast", {}, {hsize_t(1) << 61, 3}, H5T_STD_I8LE, true, false);
     }
-    refuse(file, { "holds no points" });
+    refuse(file, {"holds no points"});
     const auto begin = std::chrono::steady_clock::now();
-    refuse(file, { "\"huge\" promises the shape 1099511627776 x 3 of 64 bit", "only 0 bytes", "never written" },
-           { "huge", "", "" });
-    refuse(file, { "\"elsewhere\"", "other files", "h5py" }, { "elsewhere", "", "" });
-    refuse(file, { "\"vast\" promises", "only 0 bytes" }, { "vast", "", "" });
+    refuse(file, {"\"huge\" promises the shape 1099511627776 x 3 of 64 bit", "only 0 bytes", "never written"},
+           {"huge", "", ""});
+    refuse(file, {"\"elsewhere\"", "other files", "h5py"}, {"elsewhere", "", ""});
+    refuse(file, {"\"vast\" promises", "only 0 bytes"}, {"vast", "", ""});
     assert(std::chrono::steady_clock::now() - begin < std::chrono::seconds(10));
   }
   const Cloud cloud = sample_cloud(2000);
   const Test_file file(".h5");
   {
     Hdf5_writer writer(file.name);
-    writer.add("points", points_of(cloud), { 2000, 3 }, H5T_IEEE_F64LE, true);
-    writer.add("distances", distances_of(cloud), { 2000 });
+    writer.add("points", points_of(cloud), {2000, 3}, H5T_IEEE_F64LE, true);
+    writer.add("distances", distances_of(cloud), {2000});
   }
   assert(read(file.name) == cloud);
   const std::string good = file.content();
-  for(std::size_t size = 1; size < good.size(); size += good.size() / 40)
-    refuse(".h5", good.substr(0, size), { "truncated", "complete copy" });
+  for (std::size_t size = 1; size < good.size(); size += good.size() / 40)
+    refuse(".h5", good.substr(0, size), {"truncated", "complete copy"});
 }
 
 // the library says nothing itself, and afterwards speaks to whom it spoke before
 void test_silence()
 {
   static int number_of_calls;
-  const H5E_auto2_t count = [](hid_t, void*)
-  {
+  const H5E_auto2_t count = [](hid_t, void*) {
     ++number_of_calls;
     return herr_t(0);
   };
@@ -142,10 +141,10 @@ void test_silence()
   void *old_data, *data;
   H5Eget_auto2(H5E_DEFAULT, &old_function, &old_data);
   H5Eset_auto2(H5E_DEFAULT, count, &number_of_calls);
-  refuse(".h5", "1 2 3 4\n", { "no HDF5 file" });
+  refuse(".h5", "1 2 3 4\n", {"no HDF5 file"});
   const Test_file file(".h5");
-  Hdf5_writer(file.name).add("points", { 1, 2 }, { 2 });
-  refuse(file, { "\"points\"" });
+  Hdf5_writer(file.name).add("points", {1, 2}, {2});
+  refuse(file, {"\"points\""});
   assert(number_of_calls == 0);
   H5Eget_auto2(H5E_DEFAULT, &function, &data);
   assert(function == count && data == &number_of_calls);
@@ -158,9 +157,9 @@ void test_silence()
 
 void test_hdf5()
 {
-  for(const char* const suffix : { ".h5", ".hdf5", ".H5" })
-    refuse(suffix, "anything", { "needs HDF5", "without which this program was built",
-                                 "CGAL::Wireframe_extraction_HDF5", "libhdf5-dev" });
+  for (const char* const suffix : {".h5", ".hdf5", ".H5"})
+    refuse(suffix, "anything",
+           {"needs HDF5", "without which this program was built", "CGAL::Wireframe_extraction_HDF5", "libhdf5-dev"});
 }
 
 #endif

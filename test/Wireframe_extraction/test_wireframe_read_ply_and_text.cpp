@@ -26,28 +26,21 @@ typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_3 Point;
 typedef std::vector<std::pair<Point, double>> Cloud;
 
-Cloud expected_cloud()
-{
-  return { { Point(1, 2, 3), 0.5 }, { Point(-4, 5.25, 100), 0 }, { Point(7, -8, 9), 1 } };
-}
+Cloud expected_cloud() { return {{Point(1, 2, 3), 0.5}, {Point(-4, 5.25, 100), 0}, {Point(7, -8, 9), 1}}; }
 
-Cloud integer_cloud()
-{
-  return { { Point(1, 2, 3), 4 }, { Point(-4, 5, 100), 0 }, { Point(7, -8, 9), 1 } };
-}
+Cloud integer_cloud() { return {{Point(1, 2, 3), 4}, {Point(-4, 5, 100), 0}, {Point(7, -8, 9), 1}}; }
 
-void check_reads(const std::string& suffix, const std::string& content,
-                 const Cloud& expected = expected_cloud(),
+void check_reads(const std::string& suffix, const std::string& content, const Cloud& expected = expected_cloud(),
                  const std::string& distance_property = "")
 {
   const Test_file file(suffix, content);
-  Cloud cloud = { { Point(9, 9, 9), 9 } };
+  Cloud cloud = {{Point(9, 9, 9), 9}};
   std::string error = "not cleared";
   std::size_t number_of_skipped = 99;
-  const bool is_read = CGAL::IO::read_distance_cloud(file.name, cloud,
-    parameters::error_message(&error).distance_property(distance_property)
-                                     .number_of_skipped(&number_of_skipped));
-  if(!is_read)
+  const bool is_read = CGAL::IO::read_distance_cloud(
+    file.name, cloud,
+    parameters::error_message(&error).distance_property(distance_property).number_of_skipped(&number_of_skipped));
+  if (!is_read)
     std::fprintf(stderr, "%s\n", error.c_str());
   assert(is_read && error.empty() && number_of_skipped == 0);
   assert(cloud == expected);
@@ -64,12 +57,11 @@ const std::string plain_vertices = "element vertex 3\nproperty float x\nproperty
 template <class Number>
 std::string binary_ply(bool is_big_endian, const std::string& type, const Cloud& cloud)
 {
-  std::string text = ply_start(is_big_endian ? "binary_big_endian" : "binary_little_endian")
-                     + "element vertex " + std::to_string(cloud.size()) + "\nproperty " + type
-                     + " x\nproperty " + type + " y\nproperty " + type + " z\nproperty " + type
-                     + " distance\nend_header\n";
-  for(const auto& sample : cloud)
-    for(const double value : { sample.first.x(), sample.first.y(), sample.first.z(), sample.second })
+  std::string text = ply_start(is_big_endian ? "binary_big_endian" : "binary_little_endian") + "element vertex "
+    + std::to_string(cloud.size()) + "\nproperty " + type + " x\nproperty " + type + " y\nproperty " + type
+    + " z\nproperty " + type + " distance\nend_header\n";
+  for (const auto& sample : cloud)
+    for (const double value : {sample.first.x(), sample.first.y(), sample.first.z(), sample.second})
       append(static_cast<Number>(value), is_big_endian, text);
   return text;
 }
@@ -83,7 +75,7 @@ void test_ply_ascii()
   check_reads(".ply", header + "1 2 3 0.5\n-4 5.25 1e2 0\n+7 -8.0 9 1");
   std::string windows;
   std::string old_mac;
-  for(const char c : header + body)
+  for (const char c : header + body)
   {
     windows += (c == '\n') ? "\r\n" : std::string(1, c);
     old_mac += (c == '\n') ? '\r' : c;
@@ -92,19 +84,20 @@ void test_ply_ascii()
   check_reads(".ply", old_mac);
 
   // any order, other properties, lists before the vertices and among their properties, faces after them
-  check_reads(".ply", ply_start("ascii")
-    + "element face 2\nproperty list uchar int vertex_indices\nproperty uchar red\nelement empty 0\n"
-      "property int nothing\nelement void 5\n"
-      "element vertex 3\nproperty uchar red\nproperty list uchar int neighbors\nproperty double sharpness\n"
-      "property double z\nproperty float nx\nproperty double x\nproperty double y\n"
-      "element edge 1\nproperty int vertex1\nend_header\n"
-      "3 0 1 2 9\n4 0 1 2 3 9\n"
-      "255 2 1 2 0.5 3 0 1 2\n0 0 0 100 0 -4 5.25\n0 1 5 1 9 0 7 -8\n0\n");
+  check_reads(".ply",
+              ply_start("ascii")
+                + "element face 2\nproperty list uchar int vertex_indices\nproperty uchar red\nelement empty 0\n"
+                  "property int nothing\nelement void 5\n"
+                  "element vertex 3\nproperty uchar red\nproperty list uchar int neighbors\nproperty double sharpness\n"
+                  "property double z\nproperty float nx\nproperty double x\nproperty double y\n"
+                  "element edge 1\nproperty int vertex1\nend_header\n"
+                  "3 0 1 2 9\n4 0 1 2 3 9\n"
+                  "255 2 1 2 0.5 3 0 1 2\n0 0 0 100 0 -4 5.25\n0 1 5 1 9 0 7 -8\n0\n");
 }
 
 void test_ply_binary()
 {
-  for(const bool is_big_endian : { false, true })
+  for (const bool is_big_endian : {false, true})
   {
     check_reads(".ply", binary_ply<float>(is_big_endian, "float", expected_cloud()));
     check_reads(".ply", binary_ply<float>(is_big_endian, "float32", expected_cloud()));
@@ -114,7 +107,7 @@ void test_ply_binary()
     check_reads(".ply", binary_ply<std::int16_t>(is_big_endian, "short", integer_cloud()), integer_cloud());
     check_reads(".ply", binary_ply<std::int32_t>(is_big_endian, "int32", integer_cloud()), integer_cloud());
     check_reads(".ply", binary_ply<std::int64_t>(is_big_endian, "int64", integer_cloud()), integer_cloud());
-    const Cloud natural = { { Point(200, 2, 3), 4 } };
+    const Cloud natural = {{Point(200, 2, 3), 4}};
     check_reads(".ply", binary_ply<std::uint8_t>(is_big_endian, "uchar", natural), natural);
     check_reads(".ply", binary_ply<std::uint16_t>(is_big_endian, "uint16", natural), natural);
     check_reads(".ply", binary_ply<std::uint32_t>(is_big_endian, "uint", natural), natural);
@@ -123,30 +116,30 @@ void test_ply_binary()
 
 void test_ply_binary_mixture()
 {
-  for(const bool is_big_endian : { false, true })
+  for (const bool is_big_endian : {false, true})
   {
     std::string text = ply_start(is_big_endian ? "binary_big_endian" : "binary_little_endian")
       + "element camera 2\nproperty double focus\nproperty uchar id\n"
         "element face 2\nproperty list uchar int vertex_indices\nproperty list ushort double texture\n"
         "element vertex 3\nproperty uchar red\nproperty double z\nproperty short y\nproperty float quality\n"
         "property float x\nelement face2 1\nproperty list uchar int vertex_indices\nend_header\r\n";
-    for(int i = 0; i < 2; ++i)
+    for (int i = 0; i < 2; ++i)
     {
       append(10. + i, is_big_endian, text);
       append(std::uint8_t(10), is_big_endian, text);
     }
-    for(int face = 0; face < 2; ++face)
+    for (int face = 0; face < 2; ++face)
     {
       append(std::uint8_t(3 + face), is_big_endian, text);
-      for(int i = 0; i < 3 + face; ++i)
+      for (int i = 0; i < 3 + face; ++i)
         append(std::int32_t(i), is_big_endian, text);
       append(std::uint16_t(300 * face), is_big_endian, text);
-      for(int i = 0; i < 300 * face; ++i)
+      for (int i = 0; i < 300 * face; ++i)
         append(0.5, is_big_endian, text);
     }
     Cloud expected = expected_cloud();
     expected[1].first = Point(-4, 5, 100);
-    for(const auto& sample : expected)
+    for (const auto& sample : expected)
     {
       append(std::uint8_t(10), is_big_endian, text);
       append(sample.first.z(), is_big_endian, text);
@@ -161,17 +154,17 @@ void test_ply_binary_mixture()
 
 void test_ply_vertices_with_lists()
 {
-  for(const bool is_big_endian : { false, true })
+  for (const bool is_big_endian : {false, true})
   {
     std::string text = ply_start(is_big_endian ? "binary_big_endian" : "binary_little_endian")
       + "element vertex 3\nproperty float x\nproperty list uint float neighbors\nproperty float y\n"
         "property float z\nproperty float distance\nend_header\n";
     std::uint32_t size = 0;
-    for(const auto& sample : expected_cloud())
+    for (const auto& sample : expected_cloud())
     {
       append(float(sample.first.x()), is_big_endian, text);
       append(size, is_big_endian, text);
-      for(std::uint32_t i = 0; i < size; ++i)
+      for (std::uint32_t i = 0; i < size; ++i)
         append(1.5f, is_big_endian, text);
       append(float(sample.first.y()), is_big_endian, text);
       append(float(sample.first.z()), is_big_endian, text);
@@ -187,28 +180,31 @@ void test_many_points()
 {
   Cloud cloud;
   std::mt19937 random(1);
-  for(int i = 0; i < 100001; ++i)
+  for (int i = 0; i < 100001; ++i)
     cloud.emplace_back(Point(random() % 1000, random() % 1000, random() % 1000), random() % 8);
   check_reads(".ply", binary_ply<double>(false, "double", cloud), cloud);
   check_reads(".ply", binary_ply<float>(true, "float", cloud), cloud);
   std::ostringstream text;
   text.precision(17);
-  for(const auto& sample : cloud)
+  for (const auto& sample : cloud)
     text << sample.first << " " << sample.second << "\r\n";
   check_reads(".xyz", text.str(), cloud);
-  check_reads(".ply", "ply\nformat ascii 1.0\nelement vertex 100001\nproperty int x\nproperty int y\n"
-                      "property int z\nproperty int distance\nend_header\n" + text.str(), cloud);
+  check_reads(".ply",
+              "ply\nformat ascii 1.0\nelement vertex 100001\nproperty int x\nproperty int y\n"
+              "property int z\nproperty int distance\nend_header\n"
+                + text.str(),
+              cloud);
 }
 
 void test_choice_of_property()
 {
-  const auto ply = [](const std::string& first, const std::string& second)
-  {
+  const auto ply = [](const std::string& first, const std::string& second) {
     return ply_start("ascii") + "element vertex 1\nproperty float " + first
-           + "\nproperty float x\nproperty float y\n"
-           "property float z\nproperty float " + second + "\nend_header\n10 1 2 3 20\n";
+      + "\nproperty float x\nproperty float y\n"
+        "property float z\nproperty float "
+      + second + "\nend_header\n10 1 2 3 20\n";
   };
-  const Cloud first = { { Point(1, 2, 3), 10 } }, second = { { Point(1, 2, 3), 20 } };
+  const Cloud first = {{Point(1, 2, 3), 10}}, second = {{Point(1, 2, 3), 20}};
   check_reads(".ply", ply("quality", "distance"), second);
   check_reads(".ply", ply("scalar_Distance", "quality"), first);
   check_reads(".ply", ply("sharpness", "distances"), second);
@@ -234,7 +230,9 @@ void test_text()
   check_reads(".csv", "1,2,3,0.5\n-4, 5.25 ,1e2, 0\n7,-8,9,1,\n");
   check_reads(".csv", "1;2;3;.5\n-4;5.25;100;0\n7;-8;9;1\n");
   check_reads(".txt", "# made by hand\n1 2 3 0.5 # first\n// second\n-4 5.25 1e2 0\n  # third\n7 -8 9 1\n");
-  check_reads(".txt", "\xEF\xBB\xBF" "1 2 3 0.5\n-4 5.25 1e2 0\n7 -8 9 1\n");
+  check_reads(".txt",
+              "\xEF\xBB\xBF"
+              "1 2 3 0.5\n-4 5.25 1e2 0\n7 -8 9 1\n");
   check_reads(".pts", "3\n1 2 3 0.5\n-4 5.25 1e2 0\n7 -8 9 1\n");
   // further columns, which need not be numbers
   check_reads(".txt", "1 2 3 0.5 a 1\n-4 5.25 1e2 0 b 2\n7 -8 9 1 c 3\n");
@@ -261,47 +259,47 @@ void test_text_with_names()
 void test_separate_distances()
 {
   const Test_file distances("_distances.dat", "# field\ndistance\n0.5\n\n0 # on the edge\n// last\n1\n");
-  const auto check = [&distances](const std::string& suffix, const std::string& content)
-  {
+  const auto check = [&distances](const std::string& suffix, const std::string& content) {
     const Test_file file(suffix, content);
     Cloud cloud;
     std::string error;
-    assert(CGAL::IO::read_distance_cloud(file.name, distances.name, cloud,
-                                         parameters::error_message(&error)));
+    assert(CGAL::IO::read_distance_cloud(file.name, distances.name, cloud, parameters::error_message(&error)));
     assert(error.empty() && cloud == expected_cloud());
   };
   check(".xyz", "1 2 3\n-4 5.25 1e2\n7 -8 9\n");
   check(".xyz", "1 2 3 77\n-4 5.25 1e2 77\n7 -8 9 77\n");
   check(".csv", "label,x,y,z\na,1,2,3\na,-4,5.25,1e2\na,7,-8,9\n");
-  check(".ply", ply_start("ascii") + "element vertex 3\nproperty float x\nproperty float y\n"
-                "property float z\nend_header\n1 2 3\n-4 5.25 1e2\n7 -8 9\n");
+  check(".ply",
+        ply_start("ascii")
+          + "element vertex 3\nproperty float x\nproperty float y\n"
+            "property float z\nend_header\n1 2 3\n-4 5.25 1e2\n7 -8 9\n");
   check(".ply", binary_ply<double>(true, "double", expected_cloud()));
 }
 
 void test_skipping()
 {
-  const Cloud expected = { { Point(1, 2, 3), 0.5 }, { Point(7, -8, 9), 1 } };
-  const auto check = [&expected](const std::string& suffix, const std::string& content, std::size_t number)
-  {
+  const Cloud expected = {{Point(1, 2, 3), 0.5}, {Point(7, -8, 9), 1}};
+  const auto check = [&expected](const std::string& suffix, const std::string& content, std::size_t number) {
     const Test_file file(suffix, content);
     Cloud cloud;
     std::size_t number_of_skipped = 0;
     assert(CGAL::IO::read_distance_cloud(file.name, cloud,
-                                         parameters::skip_invalid(true)
-                                           .number_of_skipped(&number_of_skipped)));
+                                         parameters::skip_invalid(true).number_of_skipped(&number_of_skipped)));
     assert(cloud == expected && number_of_skipped == number);
   };
   check(".xyz", "1 2 3 0.5\n1 nan 3 0.5\n1 2 3 -0.5\n1 2 3 inf\n1 2 1e999 1\n7 -8 9 1\n", 4);
-  check(".ply", ply_start("ascii") + "element vertex 4\nproperty float x\nproperty float y\n"
-                "property float z\nproperty float distance\nend_header\n1 2 3 0.5\nnan 0 0 0\n7 -8 9 1\n"
-                "0 0 0 -1\n", 2);
-  Cloud bad = { expected[0], { Point(0, HUGE_VAL, 0), 1 }, expected[1], { Point(0, 0, 0), std::nan("") } };
+  check(".ply",
+        ply_start("ascii")
+          + "element vertex 4\nproperty float x\nproperty float y\n"
+            "property float z\nproperty float distance\nend_header\n1 2 3 0.5\nnan 0 0 0\n7 -8 9 1\n"
+            "0 0 0 -1\n",
+        2);
+  Cloud bad = {expected[0], {Point(0, HUGE_VAL, 0), 1}, expected[1], {Point(0, 0, 0), std::nan("")}};
   check(".ply", binary_ply<double>(false, "double", bad), 2);
   check(".ply", binary_ply<float>(true, "float", bad), 2);
 
   // with distances of their own, the two stay in step
-  const Test_file file(".xyz", "1 2 3\n0 0 nan\n0 0 0\n7 -8 9\n"),
-    distances("_distances.dat", "0.5\n1\n-1\n1\n");
+  const Test_file file(".xyz", "1 2 3\n0 0 nan\n0 0 0\n7 -8 9\n"), distances("_distances.dat", "0.5\n1\n-1\n1\n");
   Cloud cloud;
   assert(CGAL::IO::read_distance_cloud(file.name, distances.name, cloud, parameters::skip_invalid(true)));
   assert(cloud == expected);

@@ -29,15 +29,9 @@ double box(const Point& p, const Point& low, const Point& high)
   return value;
 }
 
-double cylinder_x(const Point& p, double y, double z, double r)
-{
-  return std::hypot(p[1] - y, p[2] - z) - r;
-}
+double cylinder_x(const Point& p, double y, double z, double r) { return std::hypot(p[1] - y, p[2] - z) - r; }
 
-double cylinder_z(const Point& p, double x, double y, double r)
-{
-  return std::hypot(p[0] - x, p[1] - y) - r;
-}
+double cylinder_z(const Point& p, double x, double y, double r) { return std::hypot(p[0] - x, p[1] - y) - r; }
 
 double wedge(const Point& p, double degrees)
 {
@@ -58,7 +52,7 @@ double gear(const Point& p)
 {
   const double radius = std::hypot(p[0], p[1]), pitch = pi / 6;
   double angle = std::atan2(p[1], p[0]);
-  angle = std::abs(angle - pitch * std::round(angle / pitch));   // a tooth is symmetric about the angle 0
+  angle = std::abs(angle - pitch * std::round(angle / pitch)); // a tooth is symmetric about the angle 0
   const double x = radius * std::cos(angle), y = radius * std::sin(angle), degree = pi / 180;
   const double a[2] = {std::cos(7.5 * degree), std::sin(7.5 * degree)};
   const double b[2] = {1.3 * std::cos(4.5 * degree), 1.3 * std::sin(4.5 * degree)};
@@ -70,15 +64,14 @@ double gear(const Point& p)
 
 double slotted_plate(const Point& p)
 {
-  const double slot = (std::min)({cylinder_z(p, 0.4, 0, 0.22), cylinder_z(p, -0.4, 0, 0.22),
-                                  box(p, {{-0.4, -0.22, -9}}, {{0.4, 0.22, 9}})});
+  const double slot = (std::min)(
+    {cylinder_z(p, 0.4, 0, 0.22), cylinder_z(p, -0.4, 0, 0.22), box(p, {{-0.4, -0.22, -9}}, {{0.4, 0.22, 9}})});
   return (std::max)(box(p, {{-0.8, -0.5, 0}}, {{0.8, 0.5, 0.3}}), -slot);
 }
 
 double bracket(const Point& p)
 {
-  const double body = (std::min)(box(p, {{0, 0, 0}}, {{1.1, 0.8, 0.25}}),
-                                 box(p, {{0, 0, 0}}, {{0.25, 0.8, 1}}));
+  const double body = (std::min)(box(p, {{0, 0, 0}}, {{1.1, 0.8, 0.25}}), box(p, {{0, 0, 0}}, {{0.25, 0.8, 1}}));
   // each hole goes through one leg only
   const double low = (std::max)(cylinder_z(p, 0.7, 0.4, 0.2), p[2] - 0.3);
   const double high = (std::max)(cylinder_x(p, 0.4, 0.62, 0.18), p[0] - 0.3);
@@ -91,10 +84,7 @@ double crossing(const Point& p)
   return (std::min)(thick, (std::max)(cylinder_x(p, 0, 0, 0.25), std::abs(p[0]) - 0.85));
 }
 
-double torus(const Point& p)
-{
-  return (std::max)(std::hypot(std::hypot(p[0], p[1]) - 0.6, p[2]) - 0.3, p[2] - 0.15);
-}
+double torus(const Point& p) { return (std::max)(std::hypot(std::hypot(p[0], p[1]) - 0.6, p[2]) - 0.3, p[2] - 0.15); }
 
 double frustum(const Point& p)
 {
@@ -110,10 +100,7 @@ double flange(const Point& p)
   return value;
 }
 
-double elliptic_cut(const Point& p)
-{
-  return (std::max)({cylinder_z(p, 0, 0, 0.5), -p[2], p[2] - 0.8 - 0.6 * p[0]});
-}
+double elliptic_cut(const Point& p) { return (std::max)({cylinder_z(p, 0, 0, 0.5), -p[2], p[2] - 0.8 - 0.6 * p[0]}); }
 
 double oblique_hole(const Point& p)
 {
@@ -191,8 +178,9 @@ double stub_area(double thick, double thin, double reach)
 Facts wedge_facts(const std::string& name, double degrees)
 {
   const double a = degrees * pi / 180., base = 2.4 * std::sin(a / 2), end = 0.72 * std::sin(a);
-  return {name, 5, 9, 9, 6, 0, 2 * (2.4 + base) + 3 * 0.8, 2 * end + (2.4 + base) * 0.8,
-          [degrees](const Point& p) { return wedge(p, degrees); }};
+  return {name, 5, 9, 9, 6, 0, 2 * (2.4 + base) + 3 * 0.8, 2 * end + (2.4 + base) * 0.8, [degrees](const Point& p) {
+            return wedge(p, degrees);
+          }};
 }
 
 Facts gear_facts()
@@ -203,8 +191,7 @@ Facts gear_facts()
   // per tooth: the sector of the tip, that of the gap, and two triangles from the centre to a flank
   const double tooth = 0.5 * 1.69 * 9 * degree + 0.5 * 15 * degree + 1.3 * std::sin(3 * degree);
   const double face = 12 * tooth - pi * 0.16;
-  return {"gear", 51, 146, 146, 96, 2, 2 * outline + 48 * 0.4 + 1.6 * pi,
-          2 * face + 0.4 * (outline + 0.8 * pi), gear};
+  return {"gear", 51, 146, 146, 96, 2, 2 * outline + 48 * 0.4 + 1.6 * pi, 2 * face + 0.4 * (outline + 0.8 * pi), gear};
 }
 
 Facts flange_facts()
@@ -215,29 +202,52 @@ Facts flange_facts()
 Facts elliptic_cut_facts()
 {
   const double stretch = std::sqrt(1.36);
-  return {"elliptic_cut", 3, 2, 2, 0, 2, pi + ellipse_length(0.5 * stretch, 0.5),
-          0.25 * pi * (1 + stretch) + 0.8 * pi, elliptic_cut};
+  return {"elliptic_cut", 3, 2, 2, 0, 2, pi + ellipse_length(0.5 * stretch, 0.5), 0.25 * pi * (1 + stretch) + 0.8 * pi,
+          elliptic_cut};
 }
 
 Facts oblique_hole_facts()
 {
   const double stretch = 1 / std::cos(35 * pi / 180);
-  return {"oblique_hole", 7, 14, 14, 8, 2, 4 * 2.2 + 4 * 0.3 + 2 * ellipse_length(0.25 * stretch, 0.25),
-          2 * (1.17 - 0.0625 * pi * stretch) + 0.3 * (4.4 + 0.5 * pi * stretch), oblique_hole};
+  return {"oblique_hole",
+          7,
+          14,
+          14,
+          8,
+          2,
+          4 * 2.2 + 4 * 0.3 + 2 * ellipse_length(0.25 * stretch, 0.25),
+          2 * (1.17 - 0.0625 * pi * stretch) + 0.3 * (4.4 + 0.5 * pi * stretch),
+          oblique_hole};
 }
 
 Facts rounded_plate_facts(double radius)
 {
   const double outline = 5.4 + (2 * pi - 8) * radius;
-  return {"rounded_plate", 10, 2, 16, 0, 2, 2 * outline, 2 * (1.76 - (4 - pi) * radius * radius) + 0.4 * outline,
+  return {"rounded_plate",
+          10,
+          2,
+          16,
+          0,
+          2,
+          2 * outline,
+          2 * (1.76 - (4 - pi) * radius * radius) + 0.4 * outline,
           [radius](const Point& p) { return rounded_plate(p, radius); }};
 }
 
 Facts faceted_disc_facts()
 {
   const double outline = 24 * 0.6 * std::sin(pi / 12);
-  return {"faceted_disc", 14, 36, 36, 24, 0, 2 * outline + 12 * 0.14, 2 * 3 * 0.36 + 0.14 * outline,
-          [](const Point& p) { return (std::max)({polygon(p, 12, 0.6), -p[2], p[2] - 0.14}); }};
+  return {"faceted_disc",
+          14,
+          36,
+          36,
+          24,
+          0,
+          2 * outline + 12 * 0.14,
+          2 * 3 * 0.36 + 0.14 * outline,
+          [](const Point& p) {
+            return (std::max)({polygon(p, 12, 0.6), -p[2], p[2] - 0.14});
+          }};
 }
 
 std::vector<Facts> all_facts()
@@ -248,47 +258,56 @@ std::vector<Facts> all_facts()
   const double left = 2 * pi - 2 * std::atan2(t, 0.15);
   std::vector<Facts> facts = {
     {"box", 6, 12, 12, 8, 0, 12, 5.92,
-     [](const Point& p) { return box(p, {{-0.6, -0.5, 0}}, {{0.6, 0.5, 0.8}}); }},
+     [](const Point& p) {
+       return box(p, {{-0.6, -0.5, 0}}, {{0.6, 0.5, 0.8}});
+     }},
     {"cylinder", 3, 2, 2, 0, 2, 2 * pi, 1.5 * pi,
-     [](const Point& p) { return (std::max)({cylinder_z(p, 0, 0, 0.5), -p[2], p[2] - 1}); }},
+     [](const Point& p) {
+       return (std::max)({cylinder_z(p, 0, 0, 0.5), -p[2], p[2] - 1});
+     }},
     {"frustum", 3, 2, 2, 0, 2, 1.9 * pi, pi * (0.36 + 0.1225 + 0.95 * slope), frustum},
-    {"box_with_hole", 7, 14, 14, 8, 2, 11.2 + 1.2 * pi, 5.04 - 0.18 * pi + 0.36 * pi, [](const Point& p)
-     {
+    {"box_with_hole", 7, 14, 14, 8, 2, 11.2 + 1.2 * pi, 5.04 - 0.18 * pi + 0.36 * pi,
+     [](const Point& p) {
        return (std::max)(box(p, {{-0.6, -0.5, 0}}, {{0.6, 0.5, 0.6}}), -cylinder_z(p, 0.1, 0, 0.3));
      }},
     {"l_bracket", 10, 22, 22, 12, 4, 2 * 4.2 + 6 * 0.8 + pi * 1.52,
      2 * (0.275 + 0.1875) + 4.2 * 0.8 + 2 * pi * (0.25 * 0.38 - 0.04 - 0.0324), bracket},
     {"nut", 9, 20, 20, 12, 2, 8.4 + 3 + 1.44 * pi,
-     2 * (1.5 * std::sqrt(3.) * 0.49 - pi * 0.1296) + 0.5 * (4.2 + 0.72 * pi), [](const Point& p)
-     {
+     2 * (1.5 * std::sqrt(3.) * 0.49 - pi * 0.1296) + 0.5 * (4.2 + 0.72 * pi),
+     [](const Point& p) {
        return (std::max)({polygon(p, 6, 0.7), -cylinder_z(p, 0, 0, 0.36), -p[2], p[2] - 0.5});
      }},
-    wedge_facts("wedge", 30), wedge_facts("wedge_15", 15), wedge_facts("wedge_30", 30),
+    wedge_facts("wedge", 30),
+    wedge_facts("wedge_15", 15),
+    wedge_facts("wedge_30", 30),
     wedge_facts("wedge_60", 60),
     {"dimple", 7, 13, 13, 8, 1, 10.8 + 2 * pi * rim, 4.6 - pi * rim * rim + 2 * pi * 0.4 * 0.21,
-     [](const Point& p)
-     {
+     [](const Point& p) {
        return (std::max)(box(p, {{-0.6, -0.5, 0}}, {{0.6, 0.5, 0.5}}), 0.4 - distance(p, {{0, 0, 0.69}}));
      }},
-    {"inscribed_boss", 8, 14, 14, 8, 2, 8 + 1.6 + 2 * pi, 3.6 + 0.4 * pi, [](const Point& p)
-     {
+    {"inscribed_boss", 8, 14, 14, 8, 2, 8 + 1.6 + 2 * pi, 3.6 + 0.4 * pi,
+     [](const Point& p) {
        return (std::min)(box(p, {{-0.5, -0.5, 0}}, {{0.5, 0.5, 0.4}}),
                          (std::max)({cylinder_z(p, 0, 0, 0.5), -p[2], p[2] - 0.8}));
      }},
     {"crossing_cylinders", 7, 6, 6, 0, 6, 1.6 * pi + pi + 2 * crossing_length(0.4, 0.25),
      2 * pi * 0.16 + 1.2 * pi + 2 * pi * 0.0625 - 2 * window_area(0.4, 0.25) + 2 * stub_area(0.4, 0.25, 0.85),
      crossing},
-    {"u_channel", 10, 24, 24, 16, 0, 2 * 4.7 + 8 * 1.2, 2 * (0.8 - 0.275) + 4.7 * 1.2, [](const Point& p)
-     {
+    {"u_channel", 10, 24, 24, 16, 0, 2 * 4.7 + 8 * 1.2, 2 * (0.8 - 0.275) + 4.7 * 1.2,
+     [](const Point& p) {
        return (std::max)(box(p, {{0, 0, 0}}, {{1, 1.2, 0.8}}), -box(p, {{0.25, -9, 0.25}}, {{0.75, 9, 9}}));
      }},
     {"slotted_plate", 10, 14, 20, 8, 2, 4 * 2.6 + 4 * 0.3 + 2 * (1.6 + 0.44 * pi),
      2 * (1.6 - 0.352 - pi * 0.0484) + 0.3 * (5.2 + 1.6 + 0.44 * pi), slotted_plate},
     {"thin_plate", 6, 12, 12, 8, 0, 8.4 + 0.16, 2.16 + 4.2 * 0.04,
      [](const Point& p) { return box(p, {{-0.6, -0.45, 0}}, {{0.6, 0.45, 0.04}}); }},
-    {"torus", 2, 2, 2, 0, 2, 2.4 * pi,
-     pi * ((0.6 + t) * (0.6 + t) - (0.6 - t) * (0.6 - t)) + 2 * pi * 0.6 * 0.3 * left, torus},
-    gear_facts(), flange_facts(), elliptic_cut_facts(), oblique_hole_facts(), rounded_plate_facts(0.02),
+    {"torus", 2, 2, 2, 0, 2, 2.4 * pi, pi * ((0.6 + t) * (0.6 + t) - (0.6 - t) * (0.6 - t)) + 2 * pi * 0.6 * 0.3 * left,
+     torus},
+    gear_facts(),
+    flange_facts(),
+    elliptic_cut_facts(),
+    oblique_hole_facts(),
+    rounded_plate_facts(0.02),
     faceted_disc_facts()};
   return facts;
 }
@@ -330,7 +349,7 @@ void check_truth(const Facts& facts, const Solid& solid)
 
 double smallest_radius(const Solid& solid)
 {
-  double radius = 0.15;   // no curve without a radius bends more
+  double radius = 0.15; // no curve without a radius bends more
   for (const Curve& curve : solid.curves)
     if (curve.kind == Curve_kind::CIRCLE || curve.kind == Curve_kind::ARC)
       radius = (std::min)(radius, curve.radius);
@@ -340,7 +359,7 @@ double smallest_radius(const Solid& solid)
 /// The nearest of the sampled points of the curves that count: not less than the exact distance, hardly more.
 void check_distances(const Solid& solid, const Cloud& cloud, bool is_all)
 {
-  std::vector<std::vector<Point> > samples;
+  std::vector<std::vector<Point>> samples;
   const double step = 0.1 * cloud.sampling_distance, radius = smallest_radius(solid);
   for (const Curve& curve : solid.curves)
     samples.push_back(curve.is_sharp ? curve.sampled(step) : std::vector<Point>());
@@ -370,8 +389,7 @@ double mean_nearest_neighbour(const Cloud& cloud)
   for (std::size_t i = 0; i < cloud.points.size(); ++i)
   {
     double best = 9 * r * r;
-    grid.visit_ball(cloud.points[i], 3 * r, [&](std::size_t j, double d)
-    {
+    grid.visit_ball(cloud.points[i], 3 * r, [&](std::size_t j, double d) {
       if (j != i)
         best = (std::min)(best, d);
       return true;
@@ -397,8 +415,8 @@ void check_points(const Facts& facts, const Solid& solid, const Cloud& cloud, bo
   for (std::size_t i = 0; i < counts.size(); ++i)
   {
     const double wanted = 0.82 * solid.faces[i].area / (r * r);
-    assert(is_near(counts[i], wanted, is_poisson ? 4 + 0.06 * wanted + 1.5 * std::sqrt(wanted)
-                                                 : 5 * std::sqrt(wanted)));
+    assert(
+      is_near(counts[i], wanted, is_poisson ? 4 + 0.06 * wanted + 1.5 * std::sqrt(wanted) : 5 * std::sqrt(wanted)));
   }
 }
 
@@ -491,7 +509,7 @@ void check_random_numbers()
     const double x = random.normal();
     sum += x;
     squares += x * x;
-    inside += std::abs(random.student_3()) < 0.7649 ? 1 : 0;   // the quartile of Student's t
+    inside += std::abs(random.student_3()) < 0.7649 ? 1 : 0; // the quartile of Student's t
   }
   assert(is_near(sum / n, 0, 0.01) && is_near(squares / n, 1, 0.02) && is_near(inside / n, 0.5, 0.006));
 }
@@ -525,8 +543,14 @@ void check_scopes()
 
 bool is_refused(const std::string& name, const Solid_options& options = Solid_options())
 {
-  try { make_solid(name, options); }
-  catch (const std::invalid_argument&) { return true; }
+  try
+  {
+    make_solid(name, options);
+  }
+  catch (const std::invalid_argument&)
+  {
+    return true;
+  }
   return false;
 }
 
@@ -555,8 +579,7 @@ void check_options()
 /// The kinds of the true curves and of their parts.
 void check_kinds()
 {
-  const auto count = [](const std::vector<True_curve>& curves, Curve_kind kind)
-  {
+  const auto count = [](const std::vector<True_curve>& curves, Curve_kind kind) {
     return std::count_if(curves.begin(), curves.end(), [kind](const True_curve& c) { return c.kind == kind; });
   };
   assert(count(ground_truth(make_solid("flange"), 0.02).segments, Curve_kind::CIRCLE) == 16);
@@ -596,8 +619,8 @@ void check_output()
   assert(text.find("element vertex " + std::to_string(cloud.points.size()) + "\n") < header);
   assert(text.size() == header + 16 * cloud.points.size());
   const unsigned char* last = reinterpret_cast<const unsigned char*>(text.data()) + text.size() - 4;
-  const std::uint32_t bits = last[0] | (std::uint32_t(last[1]) << 8) | (std::uint32_t(last[2]) << 16)
-                             | (std::uint32_t(last[3]) << 24);
+  const std::uint32_t bits =
+    last[0] | (std::uint32_t(last[1]) << 8) | (std::uint32_t(last[2]) << 16) | (std::uint32_t(last[3]) << 24);
   float value;
   std::memcpy(&value, &bits, 4);
   assert(value == static_cast<float>(cloud.distances.back()));

@@ -20,7 +20,7 @@
 namespace {
 
 typedef CGAL::Simple_cartesian<double> Kernel;
-typedef std::vector<std::pair<Kernel::Point_3, double> > Cloud;
+typedef std::vector<std::pair<Kernel::Point_3, double>> Cloud;
 typedef CGAL::Wireframe<Kernel> Wireframe;
 typedef CGAL::Wireframe_extraction_report Report;
 
@@ -60,14 +60,17 @@ struct Spline_keeper : CGAL::Wireframe_extraction::Default_visitor
   void curves_fitted(const Wireframe& wireframe) { splines = wireframe; }
 };
 
-struct Result { Wireframe splines, typed; };
+struct Result
+{
+  Wireframe splines, typed;
+};
 
 Result extracted(const Sampled_shape& shape)
 {
   Report report;
   Spline_keeper visitor;
-  const Wireframe wireframe = CGAL::extract_wireframe(shape.cloud, WP::extraction_report(std::ref(report))
-                                                                     .visitor(std::ref(visitor)));
+  const Wireframe wireframe =
+    CGAL::extract_wireframe(shape.cloud, WP::extraction_report(std::ref(report)).visitor(std::ref(visitor)));
   assert(report.status == Report::Status::SUCCESS && report.message.empty());
   assert(report.number_of_points == shape.cloud.size());
   assert(report.number_of_curves == wireframe.curves.size());
@@ -91,13 +94,17 @@ std::vector<Point> samples_of(const Wireframe::Curve& curve, double step)
 }
 
 // The mean and the largest distance of positions, in sampling distances.
-struct Deviation { double mean, largest; };
+struct Deviation
+{
+  double mean, largest;
+};
 
 template <class Distance>
 Deviation deviation(const std::vector<Point>& positions, const Distance& distance_of)
 {
   Deviation result = {0., 0.};
-  for (const Point& p : positions) {
+  for (const Point& p : positions)
+  {
     const double d = distance_of(p) / r;
     result.mean += d / double(positions.size());
     result.largest = (std::max)(result.largest, d);
@@ -135,7 +142,10 @@ Deviation deviation_from_wireframe(const Sampled_shape& shape, const Wireframe& 
     positions.insert(positions.end(), curve.points.begin(), curve.points.end());
   return deviation(positions, [&](const Point& p) {
     double squared = 400. * r * r;
-    grid.visit_ball(p, 20. * r, [&](std::size_t, double d) { squared = (std::min)(squared, d); return true; });
+    grid.visit_ball(p, 20. * r, [&](std::size_t, double d) {
+      squared = (std::min)(squared, d);
+      return true;
+    });
     return std::sqrt(squared);
   });
 }
@@ -158,8 +168,11 @@ Sample_solids::Curve_kind kind_of(CGAL::Wireframe_curve_type type)
 {
   typedef CGAL::Wireframe_curve_type Type;
   typedef Sample_solids::Curve_kind Kind;
-  return type == Type::LINE ? Kind::LINE : type == Type::CIRCLE ? Kind::CIRCLE : type == Type::ARC ? Kind::ARC
-         : type == Type::BSPLINE ? Kind::SPLINE : Kind::ELLIPSE;
+  return type == Type::LINE ? Kind::LINE
+    : type == Type::CIRCLE  ? Kind::CIRCLE
+    : type == Type::ARC     ? Kind::ARC
+    : type == Type::BSPLINE ? Kind::SPLINE
+                            : Kind::ELLIPSE;
 }
 
 // as many lines, circles, ellipses and splines as there are, where they are, and of their size
@@ -167,13 +180,17 @@ void check_types(const Sampled_shape& shape, const Wireframe& wireframe)
 {
   assert(wireframe.curves.size() == shape.truth.segments.size());
   for (const Sample_solids::True_curve& truth : shape.truth.segments)
-    assert(std::count_if(wireframe.curves.begin(), wireframe.curves.end(), [&](const Wireframe::Curve& curve) {
-      return kind_of(curve.type) == truth.kind && are_equal(curve, truth);
-    }) == 1);
-  for (const Wireframe::Curve& curve : wireframe.curves) {
+    assert(std::count_if(wireframe.curves.begin(), wireframe.curves.end(),
+                         [&](const Wireframe::Curve& curve) {
+                           return kind_of(curve.type) == truth.kind && are_equal(curve, truth);
+                         })
+           == 1);
+  for (const Wireframe::Curve& curve : wireframe.curves)
+  {
     assert(curve.support > 0 && curve.root_mean_square < 0.3 * r);
-    assert(curve.source == curve.no_vertex || (curve.spline.control_points().front() == wireframe.vertices[curve.source]
-                                               && curve.spline.control_points().back() == wireframe.vertices[curve.target]));
+    assert(curve.source == curve.no_vertex
+           || (curve.spline.control_points().front() == wireframe.vertices[curve.source]
+               && curve.spline.control_points().back() == wireframe.vertices[curve.target]));
     if (curve.type == CGAL::Wireframe_curve_type::BSPLINE)
       continue;
     assert(curve.uncertainty.position > 0. && curve.uncertainty.position < 0.1 * r);
@@ -185,15 +202,17 @@ void check_types(const Sampled_shape& shape, const Wireframe& wireframe)
 // Where only two curves meet, and these are pieces of a smooth one, their tangents agree.
 void check_tangent_joins(const Wireframe& wireframe, std::size_t expected)
 {
-  std::vector<std::vector<Kernel::Vector_3> > tangents(wireframe.vertices.size());
-  for (const Wireframe::Curve& curve : wireframe.curves) {
+  std::vector<std::vector<Kernel::Vector_3>> tangents(wireframe.vertices.size());
+  for (const Wireframe::Curve& curve : wireframe.curves)
+  {
     const auto range = curve.spline.parameter_range();
     tangents[curve.source].push_back(curve.spline.tangent(range.first));
     tangents[curve.target].push_back(-curve.spline.tangent(range.second));
   }
   std::size_t joins = 0;
   for (const std::vector<Kernel::Vector_3>& pair : tangents)
-    if (pair.size() == 2 && pair[0] * pair[1] < -0.9) {
+    if (pair.size() == 2 && pair[0] * pair[1] < -0.9)
+    {
       assert(std::sqrt(CGAL::cross_product(pair[0], pair[1]).squared_length()) < 1e-6);
       ++joins;
     }
@@ -211,16 +230,19 @@ void check_exactly(const std::string& name, Sampling sampling)
   assert(wireframe.curves.size() == shape.truth.curves.size());
   assert(wireframe.vertices.size() == shape.truth.corners.size());
   for (const Sample_solids::True_curve& truth : shape.truth.curves)
-    assert(std::count_if(wireframe.curves.begin(), wireframe.curves.end(), [&](const Wireframe::Curve& curve) {
-      return are_equal(curve, truth);
-    }) == 1);
+    assert(std::count_if(wireframe.curves.begin(), wireframe.curves.end(),
+                         [&](const Wireframe::Curve& curve) { return are_equal(curve, truth); })
+           == 1);
   for (const Point& corner : shape.truth.corners)
-    assert(std::count_if(wireframe.vertices.begin(), wireframe.vertices.end(), [&](const Kernel::Point_3& p) {
-      return Sample_solids::distance(corner, Point{{p.x(), p.y(), p.z()}}) < 0.7 * r;
-    }) == 1);
+    assert(std::count_if(wireframe.vertices.begin(), wireframe.vertices.end(),
+                         [&](const Kernel::Point_3& p) {
+                           return Sample_solids::distance(corner, Point{{p.x(), p.y(), p.z()}}) < 0.7 * r;
+                         })
+           == 1);
   assert(deviation_from_truth(shape, wireframe).mean < 0.1);
   assert(deviation_from_wireframe(shape, wireframe).mean < 0.3);
-  for (const Wireframe::Curve& curve : wireframe.curves) {
+  for (const Wireframe::Curve& curve : wireframe.curves)
+  {
     assert(curve.support > 0 && curve.root_mean_square < 0.3 * r);
     assert(!curve.spline.is_rational() && curve.spline.degree() == 3);
   }

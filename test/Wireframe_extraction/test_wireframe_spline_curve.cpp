@@ -44,7 +44,10 @@ double distance(const Triple& a, const Triple& b)
 }
 
 template <class P, class Q>
-double distance(const P& p, const Q& q) { return distance(triple(p), triple(q)); }
+double distance(const P& p, const Q& q)
+{
+  return distance(triple(p), triple(q));
+}
 
 double norm(const Triple& a) { return distance(a, Triple{0., 0., 0.}); }
 
@@ -69,8 +72,8 @@ struct Tester
   static Point_3 point(double x, double y, double z) { return Point_3(x, y, z); }
 
   // knots of random distances and multiplicities, clamped or not, and random control points and weights
-  static Spline random_spline(std::mt19937& random, std::size_t degree, std::size_t number_of_spans,
-                              bool is_rational, bool is_clamped)
+  static Spline random_spline(std::mt19937& random, std::size_t degree, std::size_t number_of_spans, bool is_rational,
+                              bool is_clamped)
   {
     std::uniform_real_distribution<double> unit(0., 1.);
     Numbers knots;
@@ -115,8 +118,8 @@ struct Tester
   {
     const double h = std::sqrt(0.5), r = radius;
     return Spline(2, {0., 0., 0., 1., 1., 2., 2., 3., 3., 4., 4., 4.},
-                  {point(r, 0, 0), point(r, r, 0), point(0, r, 0), point(-r, r, 0), point(-r, 0, 0),
-                   point(-r, -r, 0), point(0, -r, 0), point(r, -r, 0), point(r, 0, 0)},
+                  {point(r, 0, 0), point(r, r, 0), point(0, r, 0), point(-r, r, 0), point(-r, 0, 0), point(-r, -r, 0),
+                   point(0, -r, 0), point(r, -r, 0), point(r, 0, 0)},
                   {1., h, 1., h, 1., h, 1., h, 1.}, true);
   }
 
@@ -124,13 +127,11 @@ struct Tester
   {
     static_assert(std::is_same<typename Spline::Geom_traits, Traits>::value, "the traits are exported");
     const Spline empty;
-    assert(empty.is_empty() && empty.degree() == 0 && empty.knots().empty() &&
-           empty.control_points().empty());
+    assert(empty.is_empty() && empty.degree() == 0 && empty.knots().empty() && empty.control_points().empty());
     assert(empty.weights().empty() && !empty.is_rational() && !empty.is_closed());
 
     const Spline arc = quarter_circle(1., Triple{0., 0., 0.});
-    assert(!arc.is_empty() && arc.degree() == 2 && arc.knots().size() == 6 &&
-           arc.control_points().size() == 3);
+    assert(!arc.is_empty() && arc.degree() == 2 && arc.knots().size() == 6 && arc.control_points().size() == 3);
     assert(arc.is_rational() && arc.weights().size() == 3 && !arc.is_closed());
     assert(arc.parameter_range() == std::make_pair(FT(0), FT(1)));
 
@@ -142,13 +143,12 @@ struct Tester
     assert(is_near(triple(uniform.point(4.)), Triple{1.5, 1., 0.}, 1e-15));
   }
 
-  static bool has_fault(std::size_t degree, const Numbers& knots, const Points& points,
-                        const Numbers& weights, const std::string& part)
+  static bool has_fault(std::size_t degree, const Numbers& knots, const Points& points, const Numbers& weights,
+                        const std::string& part)
   {
     std::string why;
     const bool is_valid = Spline::is_valid(degree, knots, points, weights, &why);
-    return !is_valid && !Spline::is_valid(degree, knots, points, weights) &&
-           why.find(part) != std::string::npos;
+    return !is_valid && !Spline::is_valid(degree, knots, points, weights) && why.find(part) != std::string::npos;
   }
 
   static void test_validity()
@@ -169,8 +169,7 @@ struct Tester
     assert(has_fault(1, {0., 0., infinity, infinity, infinity}, points, {}, "Knot 2 is not finite"));
     assert(has_fault(1, {0., std::nan(""), 1., 1., 1.}, points, {}, "Knot 1 is not finite"));
     assert(has_fault(2, {1., 1., 1., 1., 1., 1.}, points, {}, "range of parameters is empty"));
-    assert(has_fault(1, {0., 0., 1., 1., 2., 2.}, {points[0], points[1], points[2], points[0]}, {},
-                     "Knot 3"));
+    assert(has_fault(1, {0., 0., 1., 1., 2., 2.}, {points[0], points[1], points[2], points[0]}, {}, "Knot 3"));
     assert(has_fault(1, {0., 0., 0., 1., 1.}, points, {}, "Knot 2"));
     assert(has_fault(1, {0., 0., 1., 2., 2.}, points, {1., 1.}, "2 weights for 3"));
     assert(has_fault(1, {0., 0., 1., 2., 2.}, points, {1., 0., 1.}, "Weight 1"));
@@ -228,11 +227,9 @@ struct Tester
   {
     const Spline line(1, {2., 2., 4., 4.}, {point(1, 2, 3), point(3, 5, 9)});
     assert(is_near(triple(line.point(3.)), Triple{2., 3.5, 6.}, 1e-15));
-    assert(triple(line.point(2.)) == triple(point(1, 2, 3)) &&
-           triple(line.point(4.)) == triple(point(3, 5, 9)));
+    assert(triple(line.point(2.)) == triple(point(1, 2, 3)) && triple(line.point(4.)) == triple(point(3, 5, 9)));
     // outside, the end points
-    assert(triple(line.point(-10.)) == triple(point(1, 2, 3)) &&
-           triple(line.point(10.)) == triple(point(3, 5, 9)));
+    assert(triple(line.point(-10.)) == triple(point(1, 2, 3)) && triple(line.point(10.)) == triple(point(3, 5, 9)));
     assert(is_near(triple(line.derivative(2.5)), Triple{1., 1.5, 3.}, 1e-15));
     assert(is_near(triple(line.derivative(2.5, 0)), triple(line.point(2.5)), 1e-15));
     assert(triple(line.derivative(2.5, 2)) == (Triple{0., 0., 0.}));
@@ -292,8 +289,7 @@ struct Tester
       const double speed = std::sqrt(1. + 4. * t * t + 9. * t * t * t * t);
       const double cross = std::sqrt(36. * t * t * t * t + 36. * t * t + 4.);
       assert(is_near(twisted.curvature(t), cross / (speed * speed * speed), 1e-13));
-      assert(is_near(triple(twisted.tangent(t)), Triple{1. / speed, 2. * t / speed, 3. * t * t / speed},
-                     1e-13));
+      assert(is_near(triple(twisted.tangent(t)), Triple{1. / speed, 2. * t / speed, 3. * t * t / speed}, 1e-13));
     }
 
     // the hyperbola (1 / t, 1, 0) for t from 1 to 2: weights 1 and 2, points 1 / 1 and 1 / 2
@@ -354,8 +350,7 @@ struct Tester
     assert(is_near(triple(polyline.tangent(19.)), Triple{0., 0., 1.}, 1e-15));
 
     // points without arc length of their own are left out, the ends stay
-    const Spline repeated = Spline::from_polyline({corners[0], corners[0], corners[1], corners[1],
-                                                   corners[1]});
+    const Spline repeated = Spline::from_polyline({corners[0], corners[0], corners[1], corners[1], corners[1]});
     assert(repeated.knots() == (Numbers{0., 0., 3., 3.}) && repeated.control_points().size() == 2);
     assert(triple(repeated.point(3.)) == triple(corners[1]));
 
@@ -412,16 +407,14 @@ struct Tester
           }
           assert(halves.first.parameter_range() == std::make_pair(FT(begin), FT(u)));
           assert(halves.second.parameter_range() == std::make_pair(FT(u), FT(end)));
-          assert(triple(halves.first.control_points().back()) ==
-                 triple(halves.second.control_points().front()));
+          assert(triple(halves.first.control_points().back()) == triple(halves.second.control_points().front()));
           check_same(halves.first, s, begin, u);
           check_same(halves.second, s, u, end);
         }
 
         std::vector<Spline> pieces;
         s.bezier_pieces(std::back_inserter(pieces));
-        assert(pieces.front().parameter_range().first == begin &&
-               pieces.back().parameter_range().second == end);
+        assert(pieces.front().parameter_range().first == begin && pieces.back().parameter_range().second == end);
         for (std::size_t i = 0; i < pieces.size(); ++i)
         {
           const Spline& piece = pieces[i];
@@ -437,8 +430,7 @@ struct Tester
 
         const Spline back = s.reversed();
         assert(Spline::is_valid(degree, back.knots(), back.control_points(), back.weights()));
-        assert(back.is_rational() == s.is_rational() &&
-               is_near(back.length(), s.length(), 1e-10 * s.length()));
+        assert(back.is_rational() == s.is_rational() && is_near(back.length(), s.length(), 1e-10 * s.length()));
         assert(back.parameter_range() == s.parameter_range());
         for (int i = 0; i <= 20; ++i)
           assert(is_near(triple(back.point(at(s, i / 20.))), triple(s.point(at(s, 1. - i / 20.))), 1e-12));
@@ -524,8 +516,7 @@ struct Tester
         }
         assert(chords <= length * (1. + 1e-10) && chords > length * (1. - 1e-6));
         const double u = at(s, 0.3), v = at(s, 0.6);
-        assert(is_near(s.length(at(s, 0.), u) + s.length(u, v) + s.length(v, at(s, 1.)), length,
-                       1e-10 * length));
+        assert(is_near(s.length(at(s, 0.), u) + s.length(u, v) + s.length(v, at(s, 1.)), length, 1e-10 * length));
 
         for (const std::size_t count : {2, 3, 17})
         {
@@ -594,13 +585,11 @@ struct Tester
     s.sample_by_count(9, std::back_inserter(points));
     assert(points.size() == 9 && triple(points.front()) == triple(points.back()));
     for (int i = 0; i < 9; ++i)
-      assert(is_near(triple(points[i]), Triple{2. * std::cos(i * pi / 4.), 2. * std::sin(i * pi / 4.), 0.},
-                     1e-10));
+      assert(is_near(triple(points[i]), Triple{2. * std::cos(i * pi / 4.), 2. * std::sin(i * pi / 4.), 0.}, 1e-10));
 
     const std::pair<Spline, Spline> halves = s.split(5.);
     assert(!halves.first.is_closed() && !halves.second.is_closed());
-    assert(is_near(halves.first.length(), length / 4., 1e-9) &&
-           is_near(halves.second.length(), 0.75 * length, 1e-9));
+    assert(is_near(halves.first.length(), length / 4., 1e-9) && is_near(halves.second.length(), 0.75 * length, 1e-9));
     assert(s.reversed().is_closed() && is_near(triple(s.reversed().tangent(0.)), Triple{0., -1., 0.}, 1e-14));
 
     // a uniform periodic cubic: closed without being clamped
@@ -615,8 +604,7 @@ struct Tester
     for (int i = 0; i < 12; ++i)
     {
       assert(is_near(triple(periodic.point(3. + i / 2.)), triple(periodic.point(9. + i / 2.)), 1e-14));
-      assert(is_near(triple(periodic.derivative(3. + i / 2., 2)),
-                     triple(periodic.derivative(9. + i / 2., 2)), 1e-13));
+      assert(is_near(triple(periodic.derivative(3. + i / 2., 2)), triple(periodic.derivative(9. + i / 2., 2)), 1e-13));
     }
     points.clear();
     periodic.sample_by_count(5, std::back_inserter(points));
@@ -658,8 +646,7 @@ struct Tester
 
     // t^2 (1, 0, 0) + t^4 (0, 1, 0) is the parabola y = x^2, with curvature 2 at its apex
     const Spline parabola(4, {0., 0., 0., 0., 0., 1., 1., 1., 1., 1.},
-                          {point(0, 0, 0), point(0, 0, 0), point(1. / 6., 0, 0), point(0.5, 0, 0),
-                           point(1, 1, 0)});
+                          {point(0, 0, 0), point(0, 0, 0), point(1. / 6., 0, 0), point(0.5, 0, 0), point(1, 1, 0)});
     assert(is_near(triple(parabola.point(0.5)), Triple{0.25, 0.0625, 0.}, 1e-15));
     assert(is_near(parabola.curvature(0.), 2., 1e-12) && is_near(parabola.curvature(1e-3), 2., 1e-4));
     // three equal points: a line in t^3
@@ -678,8 +665,8 @@ struct Tester
     assert(is_near(pause.length(), 2., 1e-14));
     Points points;
     pause.sample_by_count(5, std::back_inserter(points));
-    assert(is_near(triple(points[1]), Triple{0.5, 0., 0.}, 1e-12) &&
-           is_near(triple(points[3]), Triple{1., 0.5, 0.}, 1e-12));
+    assert(is_near(triple(points[1]), Triple{0.5, 0., 0.}, 1e-12)
+           && is_near(triple(points[3]), Triple{1., 0.5, 0.}, 1e-12));
 
     // a cusp inside: (t^2, t^3) for t from -1 to 1, whose length is known
     const Spline cusp(3, {-1., -1., -1., -1., 1., 1., 1., 1.},
@@ -691,11 +678,10 @@ struct Tester
     assert(is_near(cusp.closest_point(point(-1, 0, 0)).distance, 1., 1e-12));
 
     // an inner knot as often as the degree makes a corner there
-    const Spline corner(3, {0., 0., 0., 0., 1., 1., 1., 2., 2., 2., 2.},
-                        {point(0, 0, 0), point(1, 0, 0), point(2, 0, 0), point(3, 0, 0), point(3, 1, 0),
-                         point(3, 2, 0), point(3, 3, 0)});
-    assert(is_near(triple(corner.point(1.)), Triple{3., 0., 0.}, 1e-15) &&
-           is_near(corner.length(), 6., 1e-12));
+    const Spline corner(
+      3, {0., 0., 0., 0., 1., 1., 1., 2., 2., 2., 2.},
+      {point(0, 0, 0), point(1, 0, 0), point(2, 0, 0), point(3, 0, 0), point(3, 1, 0), point(3, 2, 0), point(3, 3, 0)});
+    assert(is_near(triple(corner.point(1.)), Triple{3., 0., 0.}, 1e-15) && is_near(corner.length(), 6., 1e-12));
     assert(is_near(triple(corner.tangent(1.)), Triple{0., 1., 0.}, 1e-15));
     assert(is_near(corner.closest_point(point(4, -1, 0)).parameter, 1., 1e-12));
     assert(is_near(corner.parameter_at_length(3.), 1., 1e-12));

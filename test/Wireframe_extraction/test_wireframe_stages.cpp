@@ -7,10 +7,10 @@
 #include <CGAL/Wireframe_extraction/detect_corners.h>
 #include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
 #include <CGAL/Wireframe_extraction/fit_curves.h>
-#include <CGAL/extract_wireframe.h>
 #include <CGAL/Wireframe_extraction/refine_field.h>
 #include <CGAL/Wireframe_extraction/segment_curves.h>
 #include <CGAL/Wireframe_extraction/select_skeleton.h>
+#include <CGAL/extract_wireframe.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/split_graph_into_polylines.h>
@@ -35,12 +35,12 @@ namespace {
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_3 Point;
 typedef Kernel::Vector_3 Vector;
-typedef std::vector<std::pair<Point, double> > Cloud;
+typedef std::vector<std::pair<Point, double>> Cloud;
 typedef CGAL::Wireframe_skeleton<Kernel> Skeleton;
 typedef CGAL::Wireframe_corner<Kernel> Corner;
 typedef CGAL::Wireframe_graph<Kernel> Graph;
 typedef CGAL::Wireframe<Kernel> Wireframe;
-typedef std::vector<std::vector<std::size_t> > Clusters;
+typedef std::vector<std::vector<std::size_t>> Clusters;
 typedef Sample_solids::Random Random;
 
 namespace WE = CGAL::Wireframe_extraction;
@@ -79,7 +79,8 @@ Cloud roof(const Plane_distance& plane_distance, double x0, double y0, double x1
   Random random(seed);
   Cloud cloud;
   for (double i = x0; i < x1; ++i)
-    for (double j = y0; j < y1; ++j) {
+    for (double j = y0; j < y1; ++j)
+    {
       const double x = i + random.uniform(), y = j + random.uniform(), d = plane_distance(x, y);
       if (d < 6.)
         cloud.emplace_back(Point(r * x, r * y, -0.7 * r * d), r * std::sqrt(1.49) * d);
@@ -119,23 +120,29 @@ Cloud u_cloud() { return roof(distance_to_u, -16, -16, 16, 40); }
 // a circle and its diameter
 Cloud theta_cloud()
 {
-  return roof([](double x, double y) {
-    return (std::min)(distance_to_circle(x, y), distance_to_segment(x, y, -circle_radius, 0, circle_radius, 0));
-  }, -24, -24, 24, 24);
+  return roof(
+    [](double x, double y) {
+      return (std::min)(distance_to_circle(x, y), distance_to_segment(x, y, -circle_radius, 0, circle_radius, 0));
+    },
+    -24, -24, 24, 24);
 }
 
 Cloud parallels_cloud()
 {
-  return roof([](double x, double y) {
-    return (std::min)(distance_to_segment(x, y, -30, -2, 30, -2), distance_to_segment(x, y, -30, 2, 30, 2));
-  }, -30, -9, 30, 9);
+  return roof(
+    [](double x, double y) {
+      return (std::min)(distance_to_segment(x, y, -30, -2, 30, -2), distance_to_segment(x, y, -30, 2, 30, 2));
+    },
+    -30, -9, 30, 9);
 }
 
 Cloud crossing_cloud()
 {
-  return roof([](double x, double y) {
-    return (std::min)(distance_to_segment(x, y, -20, 0, 20, 0), distance_to_segment(x, y, 0, -20, 0, 20));
-  }, -20, -20, 20, 20);
+  return roof(
+    [](double x, double y) {
+      return (std::min)(distance_to_segment(x, y, -20, 0, 20, 0), distance_to_segment(x, y, 0, -20, 0, 20));
+    },
+    -20, -20, 20, 20);
 }
 
 Skeleton contracted(const Cloud& cloud)
@@ -173,7 +180,8 @@ Stages stages_of(const Cloud& cloud) { return stages_of(cloud, WP::noise_level(-
 void test_sampling_distance()
 {
   for (const char* name : {"box", "cylinder", "nut"})
-    for (Sample_solids::Sampling sampling : {Sample_solids::Sampling::POISSON, Sample_solids::Sampling::UNIFORM}) {
+    for (Sample_solids::Sampling sampling : {Sample_solids::Sampling::POISSON, Sample_solids::Sampling::UNIFORM})
+    {
       const Cloud cloud = cloud_of(name, 0.025, sampling);
       const double estimate = WE::estimate_sampling_distance(cloud);
       assert(std::abs(estimate / 0.025 - 1.) < 0.05);
@@ -226,7 +234,8 @@ void test_sampling_distance_of_few_points()
 void check_skeleton(const Cloud& cloud, const Skeleton& skeleton, double spacing, double inner, double outer)
 {
   std::size_t wanted = 0, wanted_support = 0;
-  for (const auto& sample : cloud) {
+  for (const auto& sample : cloud)
+  {
     wanted += sample.second < inner * spacing;
     wanted_support += sample.second < (std::max)(inner, outer) * spacing;
   }
@@ -235,7 +244,8 @@ void check_skeleton(const Cloud& cloud, const Skeleton& skeleton, double spacing
   assert(skeleton.support_size() == wanted_support);
   assert(skeleton.sampling_distance() == spacing);
   std::set<std::size_t> indices;
-  for (std::size_t i = 0; i < skeleton.support_size(); ++i) {
+  for (std::size_t i = 0; i < skeleton.support_size(); ++i)
+  {
     assert(indices.insert(skeleton.index(i)).second);
     const auto& sample = cloud[skeleton.index(i)];
     assert(distance(skeleton.point(i), sample.first) < 1e-12);
@@ -248,8 +258,9 @@ void test_skeleton()
 {
   const Cloud cloud = cloud_of("cylinder", r);
   check_skeleton(cloud, WE::select_skeleton(cloud, WP::sampling_distance(r)), r, 1.5, 3.);
-  check_skeleton(cloud, WE::select_skeleton(cloud, WP::sampling_distance(r).skeleton_distance(0.7)
-                                                     .support_distance(2.25)), r, 0.7, 2.25);
+  check_skeleton(cloud,
+                 WE::select_skeleton(cloud, WP::sampling_distance(r).skeleton_distance(0.7).support_distance(2.25)), r,
+                 0.7, 2.25);
   const double estimate = WE::select_skeleton(cloud).sampling_distance();
   assert(std::abs(estimate / r - 1.) < 0.05);
   check_skeleton(cloud, WE::select_skeleton(cloud), estimate, 1.5, 3.);
@@ -267,10 +278,11 @@ void test_skeleton_thresholds()
   for (int i = 0; i < 16; ++i)
     cloud.emplace_back(Point(i, i % 3, i % 5), 0.125 * (15 - i));
   const Skeleton skeleton = WE::select_skeleton(cloud, WP::sampling_distance(0.25));
-  assert(skeleton.size() == 3);           // 0, 0.125, 0.25, but not 0.375
-  assert(skeleton.support_size() == 6);   // up to 0.625, but not 0.75
+  assert(skeleton.size() == 3);         // 0, 0.125, 0.25, but not 0.375
+  assert(skeleton.support_size() == 6); // up to 0.625, but not 0.75
   assert(skeleton.number_of_duplicates() == 0);
-  for (std::size_t i = 0; i < 6; ++i) {
+  for (std::size_t i = 0; i < 6; ++i)
+  {
     assert(skeleton.index(i) == 15 - i);
     assert(skeleton.distance(i) == 0.125 * double(i));
   }
@@ -279,15 +291,20 @@ void test_skeleton_thresholds()
   const Skeleton unique = WE::select_skeleton(twice, WP::sampling_distance(0.25));
   assert(unique.size() == 3 && unique.support_size() == 6 && unique.number_of_duplicates() == 6);
   for (std::size_t i = 0; i < 6; ++i)
-    assert(unique.index(i) == 15 - i);    // the first of equal ones stays
+    assert(unique.index(i) == 15 - i); // the first of equal ones stays
 
   assert(WE::select_skeleton(Cloud()).is_empty());
-  assert(WE::select_skeleton(Cloud(9, std::make_pair(Point(1, 1, 1), 0.))).is_empty());   // there is no unit
+  assert(WE::select_skeleton(Cloud(9, std::make_pair(Point(1, 1, 1), 0.))).is_empty()); // there is no unit
   const Cloud far(1, std::make_pair(Point(1, 1, 1), 5.));
   assert(WE::select_skeleton(far, WP::sampling_distance(1.)).support_size() == 0);
 }
 
-struct Measurement { int id; double value; Point where; };
+struct Measurement
+{
+  int id;
+  double value;
+  Point where;
+};
 
 struct Where_map
 {
@@ -316,10 +333,11 @@ void test_skeleton_of_other_values()
   for (const auto& sample : cloud)
     measurements.push_back({int(measurements.size()), 1024. * sample.second, sample.first});
   const Skeleton expected = WE::select_skeleton(cloud);
-  const Skeleton skeleton = WE::select_skeleton(
-    measurements, WP::distance_map(Value_map{1. / 1024.}).point_map(Where_map()));
+  const Skeleton skeleton =
+    WE::select_skeleton(measurements, WP::distance_map(Value_map{1. / 1024.}).point_map(Where_map()));
   assert(skeleton.size() == expected.size() && skeleton.support_size() == expected.support_size());
-  for (std::size_t i = 0; i < skeleton.support_size(); ++i) {
+  for (std::size_t i = 0; i < skeleton.support_size(); ++i)
+  {
     assert(skeleton.index(i) == expected.index(i));
     assert(skeleton.point(i) == expected.point(i));
     assert(skeleton.distance(i) == expected.distance(i));
@@ -332,7 +350,8 @@ void test_contraction_of_a_line()
 {
   const Skeleton skeleton = contracted(line_cloud());
   std::vector<double> offsets, turns, residuals;
-  for (std::size_t i = 0; i < skeleton.size(); ++i) {
+  for (std::size_t i = 0; i < skeleton.size(); ++i)
+  {
     const Point foot = skeleton.foot(i);
     const Vector tangent = skeleton.tangent(i);
     assert(std::abs(tangent.squared_length() - 1.) < 1e-9);
@@ -354,7 +373,8 @@ void test_contraction_of_a_circle()
 {
   const Skeleton skeleton = contracted(circle_cloud());
   std::vector<double> offsets, turns, residuals;
-  for (std::size_t i = 0; i < skeleton.size(); ++i) {
+  for (std::size_t i = 0; i < skeleton.size(); ++i)
+  {
     const Point foot = skeleton.foot(i);
     const double radius = std::hypot(foot.x(), foot.y());
     offsets.push_back(std::hypot(radius - r * circle_radius, foot.z()) / r);
@@ -375,7 +395,7 @@ void test_noise_level()
   WE::contract_skeleton(skeleton, WP::noise_level(0.375));
   assert(std::abs(skeleton.noise() - 0.375 * r) < 1e-15);
   Skeleton empty;
-  WE::contract_skeleton(empty);   // is no error
+  WE::contract_skeleton(empty); // is no error
   assert(empty.is_empty() && !empty.is_contracted());
 }
 
@@ -387,7 +407,8 @@ Cloud wrong_roof()
   Random random(7);
   Cloud cloud;
   for (double i = -40; i < 40; ++i)
-    for (double j = -14; j < 14; ++j) {
+    for (double j = -14; j < 14; ++j)
+    {
       const double x = i + random.uniform(), y = j + random.uniform();
       double d = std::sqrt(1.49) * std::abs(y) * (1. + 0.1 * random.normal()) + 0.2 * random.normal();
       if (x > 5 && x < 15)
@@ -400,7 +421,8 @@ Cloud wrong_roof()
 std::size_t number_of_skeleton_points(const Skeleton& skeleton, double x0, double x1, double y0, double y1)
 {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < skeleton.size(); ++i) {
+  for (std::size_t i = 0; i < skeleton.size(); ++i)
+  {
     const Point& p = skeleton.point(i);
     count += p.x() > r * x0 && p.x() < r * x1 && p.y() > r * y0 && p.y() < r * y1;
   }
@@ -410,7 +432,8 @@ std::size_t number_of_skeleton_points(const Skeleton& skeleton, double x0, doubl
 double typical_error(const Skeleton& skeleton)
 {
   std::vector<double> errors;
-  for (std::size_t i = 0; i < skeleton.size(); ++i) {
+  for (std::size_t i = 0; i < skeleton.size(); ++i)
+  {
     const double y = skeleton.point(i).y();
     errors.push_back(std::abs(skeleton.distance(i) - std::sqrt(1.49) * std::abs(y)) / r);
   }
@@ -462,9 +485,11 @@ void test_refinement_within_extraction()
   const Cloud cloud = wrong_roof();
   const auto length_in_gap = [](const Wireframe& wireframe) {
     std::size_t covered = 0;
-    for (double x = 6.; x < 14.; x += 0.5) {
+    for (double x = 6.; x < 14.; x += 0.5)
+    {
       double nearest = 1e9;
-      for (const Wireframe::Curve& curve : wireframe.curves) {
+      for (const Wireframe::Curve& curve : wireframe.curves)
+      {
         std::vector<Point> samples;
         curve.spline.sample_by_count(400, std::back_inserter(samples));
         for (const Point& p : samples)
@@ -494,15 +519,17 @@ void check_corners(const std::vector<Corner>& corners, const std::vector<Sample_
 {
   assert(corners.size() == truth.size());
   for (const Sample_solids::Point& p : truth)
-    assert(std::count_if(corners.begin(), corners.end(), [&](const Corner& corner) {
-      return distance(corner.center, Point(p[0], p[1], p[2])) < bound;
-    }) == 1);
+    assert(std::count_if(corners.begin(), corners.end(),
+                         [&](const Corner& corner) { return distance(corner.center, Point(p[0], p[1], p[2])) < bound; })
+           == 1);
   std::set<std::size_t> taken;
-  for (const Corner& corner : corners) {
+  for (const Corner& corner : corners)
+  {
     assert(!corner.members.empty());
     assert(std::is_sorted(corner.members.begin(), corner.members.end()));
     double radius = 0.;
-    for (std::size_t i : corner.members) {
+    for (std::size_t i : corner.members)
+    {
       assert(i < skeleton.size());
       assert(taken.insert(i).second);
       radius = (std::max)(radius, distance(skeleton.point(i), corner.center));
@@ -530,9 +557,9 @@ double variance_ratio(double a, double b, double c)
 {
   const WE::internal::Vector u = WE::internal::Vector(1, 2, -2) / 3., v = WE::internal::Vector(2, 1, 2) / 3.,
                              w = WE::internal::Vector(2, -2, -1) / 3., shift(7, -3, 5);
-  const std::vector<WE::internal::Vector> points{shift + a * u, shift - a * u, shift + b * v, shift - b * v,
+  const std::vector<WE::internal::Vector> points{shift + a * u, shift - a * u, shift + b * v,   shift - b * v,
                                                  shift + c * w, shift - c * w, shift + 100. * u};
-  return WE::internal::second_variance_ratio(points, {0, 1, 2, 3, 4, 5});   // the last one is not in the ball
+  return WE::internal::second_variance_ratio(points, {0, 1, 2, 3, 4, 5}); // the last one is not in the ball
 }
 
 void test_variance_ratio()
@@ -580,7 +607,8 @@ std::vector<std::size_t> farthest_points(const std::vector<WE::internal::Vector>
     if ((positions[i] - centroid).squaredNorm() > (positions[next] - centroid).squaredNorm())
       next = i;
   std::fill(distances.begin(), distances.end(), (std::numeric_limits<double>::infinity)());
-  while (true) {
+  while (true)
+  {
     samples.push_back(next);
     for (std::size_t i = 0; i < size; ++i)
       distances[i] = (std::min)(distances[i], (positions[i] - positions[next]).norm());
@@ -592,16 +620,18 @@ std::vector<std::size_t> farthest_points(const std::vector<WE::internal::Vector>
 
 void test_farthest_point_sampling()
 {
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed)
+  {
     Random random(seed);
     const std::size_t n = 1 + random.index(600);
     std::vector<WE::internal::Vector> positions;
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < n; ++i)
+    {
       WE::internal::Vector p(random.uniform(), random.uniform(), random.uniform());
       if (seed % 3 == 0)
-        p = (8. * p).array().floor();           // a lattice: ties and duplicates
+        p = (8. * p).array().floor(); // a lattice: ties and duplicates
       else if (seed % 3 == 1)
-        p = p.array().pow(6.);                  // dense in one corner
+        p = p.array().pow(6.); // dense in one corner
       positions.push_back(p);
     }
     for (std::size_t count : {std::size_t(1), n / 10, n, 2 * n})
@@ -620,18 +650,20 @@ void check_clusters(const Clusters& clusters, const Skeleton& skeleton, const st
 {
   std::size_t number_of_members = 0;
   std::set<std::size_t> taken;
-  for (const Corner& corner : corners) {
+  for (const Corner& corner : corners)
+  {
     number_of_members += corner.members.size();
     taken.insert(corner.members.begin(), corner.members.end());
   }
-  for (std::size_t c = 0; c < clusters.size(); ++c) {
+  for (std::size_t c = 0; c < clusters.size(); ++c)
+  {
     assert(!clusters[c].empty() && std::is_sorted(clusters[c].begin(), clusters[c].end()));
     assert(c == 0 || clusters[c - 1].front() < clusters[c].front());
     number_of_members += clusters[c].size();
     for (std::size_t i : clusters[c])
       assert(taken.insert(i).second && i < skeleton.size());
   }
-  assert(number_of_members == skeleton.size());   // nothing is lost
+  assert(number_of_members == skeleton.size()); // nothing is lost
 }
 
 // of the points, those of larger clusters that are on the wrong side: `side` tells the curve, or 0 for either
@@ -639,9 +671,11 @@ template <class Side>
 std::size_t number_of_mixed_clusters(const Clusters& clusters, const Skeleton& skeleton, const Side& side)
 {
   std::size_t mixed = 0;
-  for (const std::vector<std::size_t>& cluster : clusters) {
+  for (const std::vector<std::size_t>& cluster : clusters)
+  {
     bool has[2] = {false, false};
-    for (std::size_t i : cluster) {
+    for (std::size_t i : cluster)
+    {
       const int s = side(skeleton.point(i));
       if (s != 0)
         has[s > 0] = true;
@@ -666,27 +700,30 @@ void test_segmentation()
   const Clusters lines = WE::segment_curves(parallels, std::vector<Corner>());
   check_clusters(lines, parallels, std::vector<Corner>());
   assert(number_of_mixed_clusters(lines, parallels, parallel) == 0);
-  assert(largest(lines) > parallels.size() * 4 / 10);     // and each is in one piece, more or less
+  assert(largest(lines) > parallels.size() * 4 / 10); // and each is in one piece, more or less
   const Clusters fused = WE::segment_curves(parallels, std::vector<Corner>(), WP::use_tangents(false));
   check_clusters(fused, parallels, std::vector<Corner>());
   assert(number_of_mixed_clusters(fused, parallels, parallel) == 1);
   assert(fused.size() == 1);
   // a small enough radius separates them as well, and a tiny one all points
   assert(number_of_mixed_clusters(
-    WE::segment_curves(parallels, std::vector<Corner>(), WP::use_tangents(false).connection_radius(1.2)),
-    parallels, parallel) == 0);
-  assert(WE::segment_curves(parallels, std::vector<Corner>(),
-                            WP::use_tangents(false).connection_radius(1e-9)).size() == parallels.size());
+           WE::segment_curves(parallels, std::vector<Corner>(), WP::use_tangents(false).connection_radius(1.2)),
+           parallels, parallel)
+         == 0);
+  assert(WE::segment_curves(parallels, std::vector<Corner>(), WP::use_tangents(false).connection_radius(1e-9)).size()
+         == parallels.size());
 
   const auto crossing = [](const Point& p) {
-    return (std::min)(std::abs(p.x()), std::abs(p.y())) > 1.5 * r || std::hypot(p.x(), p.y()) < 4. * r
-      ? 0 : std::abs(p.x()) > std::abs(p.y()) ? 1 : -1;
+    return (std::min)(std::abs(p.x()), std::abs(p.y())) > 1.5 * r || std::hypot(p.x(), p.y()) < 4. * r ? 0
+      : std::abs(p.x()) > std::abs(p.y())                                                              ? 1
+                                                                                                       : -1;
   };
   const Skeleton cross = contracted(crossing_cloud());
   const Clusters arms = WE::segment_curves(cross, std::vector<Corner>());
   assert(number_of_mixed_clusters(arms, cross, crossing) == 0);
-  assert(number_of_mixed_clusters(WE::segment_curves(cross, std::vector<Corner>(), WP::use_tangents(false)),
-                                  cross, crossing) == 1);
+  assert(
+    number_of_mixed_clusters(WE::segment_curves(cross, std::vector<Corner>(), WP::use_tangents(false)), cross, crossing)
+    == 1);
   const std::vector<Corner> corners = WE::detect_corners(cross);
   check_clusters(WE::segment_curves(cross, corners), cross, corners);
 
@@ -704,19 +741,22 @@ void test_segmentation()
 struct Polylines
 {
   typedef boost::graph_traits<Graph>::vertex_descriptor Vertex;
-  std::vector<std::vector<Vertex> > polylines;
+  std::vector<std::vector<Vertex>> polylines;
 
   void start_new_polyline() { polylines.emplace_back(); }
   void add_node(Vertex v) { polylines.back().push_back(v); }
   void end_polyline() {}
 };
 
-struct Graph_summary { std::size_t corners, curves, components, tips; };
+struct Graph_summary
+{
+  std::size_t corners, curves, components, tips;
+};
 
 // what every graph has to fulfill, and what there is in it
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"   // a false one, about edges of Boost that CGAL collects
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized" // a false one, about edges of Boost that CGAL collects
 #endif
 
 Graph_summary summary(const Graph& graph)
@@ -724,15 +764,17 @@ Graph_summary summary(const Graph& graph)
   typedef boost::graph_traits<Graph>::vertex_descriptor Vertex;
   Graph_summary result = {0, 0, 0, 0};
   std::set<std::size_t> ids;
-  std::set<std::pair<Vertex, Vertex> > seen;
-  for (const auto& edge : boost::make_iterator_range(boost::edges(graph))) {
+  std::set<std::pair<Vertex, Vertex>> seen;
+  for (const auto& edge : boost::make_iterator_range(boost::edges(graph)))
+  {
     const Vertex a = (std::min)(boost::source(edge, graph), boost::target(edge, graph));
     const Vertex b = (std::max)(boost::source(edge, graph), boost::target(edge, graph));
-    assert(a != b);                           // no loop
-    assert(seen.emplace(a, b).second);        // no parallel edges
+    assert(a != b);                    // no loop
+    assert(seen.emplace(a, b).second); // no parallel edges
     ids.insert(graph[edge].curve_id);
   }
-  for (Vertex v : boost::make_iterator_range(boost::vertices(graph))) {
+  for (Vertex v : boost::make_iterator_range(boost::vertices(graph)))
+  {
     const Point& p = get(CGAL::vertex_point, graph, v);
     assert(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()));
     result.corners += graph[v].is_corner;
@@ -751,7 +793,8 @@ Graph_summary summary(const Graph& graph)
   CGAL::split_graph_into_polylines(graph, collector, [](Vertex v, const Graph& g) { return g[v].is_corner; });
   assert(collector.polylines.size() == result.curves);
   std::size_t number_of_edges = 0;
-  for (const std::vector<Vertex>& polyline : collector.polylines) {
+  for (const std::vector<Vertex>& polyline : collector.polylines)
+  {
     number_of_edges += polyline.size() - 1;
     // all edges of a polyline are of one curve
     for (std::size_t k = 2; k < polyline.size(); ++k)
@@ -770,7 +813,8 @@ Graph_summary summary(const Graph& graph)
 double largest_offset(const Graph& graph, const Plane_distance& plane_distance)
 {
   double worst = 0.;
-  for (auto v : boost::make_iterator_range(boost::vertices(graph))) {
+  for (auto v : boost::make_iterator_range(boost::vertices(graph)))
+  {
     const Point& p = get(CGAL::vertex_point, graph, v);
     worst = (std::max)(worst, std::hypot(plane_distance(p.x() / r, p.y() / r), p.z() / r));
   }
@@ -794,7 +838,8 @@ void test_traced_graphs()
   const Graph_summary of_theta = summary(theta);
   assert(of_theta.curves == 3 && of_theta.corners == 2 && of_theta.components == 1);
   for (auto v : boost::make_iterator_range(boost::vertices(theta)))
-    if (theta[v].is_corner) {
+    if (theta[v].is_corner)
+    {
       assert(boost::degree(v, theta) == 3);
       const Point& p = get(CGAL::vertex_point, theta, v);
       assert((std::min)(distance(p, Point(-r * circle_radius, 0, 0)), distance(p, Point(r * circle_radius, 0, 0)))
@@ -833,7 +878,8 @@ void test_subdivided_graphs()
   u.clusters.resize(1);
   for (std::size_t i = 0; i < u.skeleton.size(); ++i)
     u.clusters[0].push_back(i);
-  for (bool is_axis : {false, true}) {
+  for (bool is_axis : {false, true})
+  {
     const Graph graph = WE::build_topological_graph(
       u.skeleton, u.corners, u.clusters,
       method.end_detection(is_axis ? WE::End_detection::MAIN_AXIS : WE::End_detection::GRAPH_DISTANCE));
@@ -858,10 +904,12 @@ Wireframe wireframe_of(const Cloud& cloud, Stages& stages)
 // what every wireframe has to fulfill
 void check_ends(const Wireframe& wireframe)
 {
-  for (const Wireframe::Curve& curve : wireframe.curves) {
+  for (const Wireframe::Curve& curve : wireframe.curves)
+  {
     const auto range = curve.spline.parameter_range();
     const Point first = curve.spline.point(range.first), last = curve.spline.point(range.second);
-    if (curve.source == Wireframe::Curve::no_vertex) {
+    if (curve.source == Wireframe::Curve::no_vertex)
+    {
       assert(curve.target == Wireframe::Curve::no_vertex && curve.is_closed());
       assert(first == last);
       const double step = 1e-9 * (range.second - range.first);
@@ -886,7 +934,8 @@ void test_fit_of_a_circle()
   std::vector<Point> samples;
   wireframe.curves[0].spline.sample_by_count(400, std::back_inserter(samples));
   double sum = 0., worst = 0.;
-  for (const Point& p : samples) {
+  for (const Point& p : samples)
+  {
     const double radius = std::hypot(p.x(), p.y()) / r;
     sum += radius;
     worst = (std::max)(worst, std::hypot(radius - circle_radius, p.z() / r));
@@ -923,15 +972,16 @@ void test_fit_of_a_box()
   check_ends(wireframe);
   // three edges share each corner
   std::vector<std::size_t> degrees(8, 0);
-  for (const Wireframe::Curve& curve : wireframe.curves) {
+  for (const Wireframe::Curve& curve : wireframe.curves)
+  {
     ++degrees[curve.source];
     ++degrees[curve.target];
   }
   assert(degrees == std::vector<std::size_t>(8, 3));
   for (const Sample_solids::Point& p : true_corners("box"))
-    assert(std::count_if(wireframe.vertices.begin(), wireframe.vertices.end(), [&](const Point& q) {
-      return distance(q, Point(p[0], p[1], p[2])) < 0.15 * r;
-    }) == 1);
+    assert(std::count_if(wireframe.vertices.begin(), wireframe.vertices.end(),
+                         [&](const Point& q) { return distance(q, Point(p[0], p[1], p[2])) < 0.15 * r; })
+           == 1);
 }
 
 void test_fixed_corners()
@@ -939,7 +989,8 @@ void test_fixed_corners()
   Stages stages = stages_of(cloud_of("box", r));
   // corners a little off
   for (auto v : boost::make_iterator_range(boost::vertices(stages.graph)))
-    if (stages.graph[v].is_corner) {
+    if (stages.graph[v].is_corner)
+    {
       const Point p = get(CGAL::vertex_point, stages.graph, v);
       put(CGAL::vertex_point, stages.graph, v, Point(p.x() + 0.3 * r, p.y() - 0.2 * r, p.z() + 0.1 * r));
     }
@@ -948,15 +999,16 @@ void test_fixed_corners()
   assert(fixed.vertices.size() == 8);
   for (auto v : boost::make_iterator_range(boost::vertices(stages.graph)))
     if (stages.graph[v].is_corner)
-      assert(std::count_if(fixed.vertices.begin(), fixed.vertices.end(), [&](const Point& q) {
-        return distance(q, get(CGAL::vertex_point, stages.graph, v)) < 1e-12;
-      }) == 1);
+      assert(
+        std::count_if(fixed.vertices.begin(), fixed.vertices.end(),
+                      [&](const Point& q) { return distance(q, get(CGAL::vertex_point, stages.graph, v)) < 1e-12; })
+        == 1);
   // while free ones move to where the curves meet
   const Wireframe moved = WE::fit_curves(stages.skeleton, stages.graph);
   for (const Sample_solids::Point& p : true_corners("box"))
-    assert(std::count_if(moved.vertices.begin(), moved.vertices.end(), [&](const Point& q) {
-      return distance(q, Point(p[0], p[1], p[2])) < 0.15 * r;
-    }) == 1);
+    assert(std::count_if(moved.vertices.begin(), moved.vertices.end(),
+                         [&](const Point& q) { return distance(q, Point(p[0], p[1], p[2])) < 0.15 * r; })
+           == 1);
 }
 
 // the stages are given what their caller made of it, whatever that is
@@ -964,14 +1016,16 @@ void test_fit_of_an_own_graph()
 {
   const Skeleton skeleton = contracted(line_cloud());
   Graph graph;
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i)
+  {
     const auto v = boost::add_vertex(graph);
     put(CGAL::vertex_point, graph, v, Point(r * (10. * i - 10.), 0.3 * r, 0.));
     graph[v].is_corner = i != 1;
     if (i > 0)
       boost::add_edge(v - 1, v, CGAL::Wireframe_edge{0}, graph);
   }
-  for (bool is_adapting : {false, true}) {
+  for (bool is_adapting : {false, true})
+  {
     const Wireframe wireframe = WE::fit_curves(skeleton, graph, WP::adapt_knots(is_adapting));
     assert(wireframe.curves.size() == 1 && wireframe.vertices.size() == 2);
     check_ends(wireframe);

@@ -30,7 +30,7 @@ namespace {
 namespace wireframe = CGAL::Wireframe_extraction;
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_3 Point;
-typedef std::vector<std::pair<Point, double> > Cloud;
+typedef std::vector<std::pair<Point, double>> Cloud;
 typedef CGAL::Wireframe_skeleton<Kernel> Skeleton;
 
 Sample_solids::Cloud samples_of(const std::string& name, Sample_solids::Sampling sampling,
@@ -49,7 +49,8 @@ Cloud cloud_of(const Sample_solids::Cloud& samples, bool is_single)
 {
   Cloud cloud = cloud_of_samples<Point>(samples);
   for (auto& sample : cloud)
-    if (is_single) {
+    if (is_single)
+    {
       const Point& p = sample.first;
       sample = {Point(float(p.x()), float(p.y()), float(p.z())), float(sample.second)};
     }
@@ -65,10 +66,11 @@ Cloud sorted(Cloud cloud)
 
 bool is_about(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance * std::abs(b); }
 
-std::set<std::tuple<double, double, double, double> > values_of(const Skeleton& skeleton)
+std::set<std::tuple<double, double, double, double>> values_of(const Skeleton& skeleton)
 {
-  std::set<std::tuple<double, double, double, double> > result;
-  for (std::size_t i = 0; i < skeleton.size(); ++i) {
+  std::set<std::tuple<double, double, double, double>> result;
+  for (std::size_t i = 0; i < skeleton.size(); ++i)
+  {
     // up to the rounding of another origin, which depends on the order
     const auto key = [](double x) { return std::round(1e9 * x); };
     const Point p = skeleton.point(i);
@@ -102,14 +104,16 @@ void test_clouds_that_are_gone_over_several_times()
   for (const char* name : {"box_with_hole", "cylinder"})
     for (Sampling sampling : {Sampling::POISSON, Sampling::UNIFORM})
       for (Field_kind field : {Field_kind::EXACT, Field_kind::DEF})
-        for (bool is_single : {false, true}) {
+        for (bool is_single : {false, true})
+        {
           const Cloud cloud = cloud_of(samples_of(name, sampling, field), is_single);
           const Skeleton expected = skeleton_of(cloud, cloud.size());
           assert(expected.size() > 100 && cloud.size() > 5000);
           check_identical(expected, skeleton_of(cloud, cloud.size() - 1));
           check_identical(expected, skeleton_of(cloud, 3000));
           check_identical(expected, skeleton_of(cloud, 1));
-          for (const Cloud& other : {sorted(cloud), shuffled(cloud, 5)}) {
+          for (const Cloud& other : {sorted(cloud), shuffled(cloud, 5)})
+          {
             const Skeleton skeleton = skeleton_of(other, 2000);
             check_same(expected, skeleton);
             assert(expected.surroundings().size() == skeleton.surroundings().size());
@@ -156,10 +160,12 @@ void test_filter()
 {
   using namespace Sample_solids;
   for (const char* name : {"box_with_hole", "flange"})
-    for (Sampling sampling : {Sampling::POISSON, Sampling::UNIFORM}) {
+    for (Sampling sampling : {Sampling::POISSON, Sampling::UNIFORM})
+    {
       const Cloud cloud = cloud_of(samples_of(name, sampling, Field_kind::EXACT), false);
       const double r = skeleton_of(cloud, cloud.size()).sampling_distance();
-      for (const Cloud& other : {cloud, sorted(cloud), shuffled(cloud, 5)}) {
+      for (const Cloud& other : {cloud, sorted(cloud), shuffled(cloud, 5)})
+      {
         wireframe::Distance_cloud_filter<Point> filter(wireframe::parameters::points_in_memory(4000));
         filter.insert(other.begin(), other.end());
         assert(filter.number_of_points() == cloud.size() && filter.number_of_invalid() == 0);
@@ -188,8 +194,8 @@ Skeleton skeleton_of_source(Source& source, std::size_t points_in_memory)
   wireframe::internal::Surveyed_cloud cloud(source, points_in_memory);
   const bool is_read = cloud.survey();
   assert(is_read);
-  const Skeleton skeleton = wireframe::internal::select_skeleton(
-    cloud, cloud.scale().sampling_distance, wireframe::internal::Extraction_options(), Kernel());
+  const Skeleton skeleton = wireframe::internal::select_skeleton(cloud, cloud.scale().sampling_distance,
+                                                                 wireframe::internal::Extraction_options(), Kernel());
   assert(cloud.error().empty());
   return skeleton;
 }
@@ -204,14 +210,16 @@ void test_files()
     write_ply(ply, samples);
     text.precision(17);
     distances.precision(17);
-    for (const auto& value : cloud_of(samples, true)) {
+    for (const auto& value : cloud_of(samples, true))
+    {
       text << value.first << ' ' << value.second << '\n';
       distances << value.second << '\n';
     }
   }
   CGAL::IO::Distance_cloud_file ply("flange.ply"), text("flange.xyz"), both("flange.xyz", "flange_distances.txt");
   for (CGAL::IO::Distance_cloud_file* file : {&ply, &text, &both})
-    for (std::size_t points_in_memory : {1000u, 1000000u}) {
+    for (std::size_t points_in_memory : {1000u, 1000000u})
+    {
       check_identical(expected, skeleton_of_source(*file, points_in_memory));
       assert(file->error_message().empty() && file->number_of_skipped() == 0);
     }

@@ -51,7 +51,8 @@ Curve_network fused(double radius, double half)
 {
   const auto arc = [radius](double x) { return on_arc(radius, x); };
   Curve_network network;
-  const std::size_t left = add_node(network, on_line(-half)), right = half > 0. ? add_node(network, on_line(half)) : left;
+  const std::size_t left = add_node(network, on_line(-half)),
+                    right = half > 0. ? add_node(network, on_line(half)) : left;
   add_curve(network, on_line, -reach, -half, add_node(network, on_line(-reach)), left);
   add_curve(network, arc, -half, -reach, left, add_node(network, arc(-reach)));
   if (half > 0.)
@@ -74,12 +75,14 @@ void test_line_and_arc()
 {
   const Joining_options options;
   for (double radius : {21., 25., 40.})
-    for (double half : {0., 3., 6.}) {
+    for (double half : {0., 3., 6.})
+    {
       Curve_network network = fused(radius, half);
       Tangency_resolver(network, options).separate_tangent_curves();
       const std::vector<Network_curve> curves = living(network);
       assert(curves.size() == 2);
-      for (const Network_curve& curve : curves) {
+      for (const Network_curve& curve : curves)
+      {
         // each leads through: from a far end on the left to the far end of the same kind on the right
         const Vector &p = curve.points.front(), &q = curve.points.back();
         assert(std::abs(std::abs(p.x()) - reach) < 1e-9 && std::abs(p.x() + q.x()) < 1e-9);
@@ -112,7 +115,8 @@ void test_crossing_is_left_alone()
   Curve_network network;
   const std::size_t middle = add_node(network, on_line(0.));
   const auto across = [](double y) { return Vector(0., y, 0.); };
-  for (double end : {-reach, reach}) {
+  for (double end : {-reach, reach})
+  {
     add_curve(network, on_line, 0., end, middle, add_node(network, on_line(end)));
     add_curve(network, across, 0., end, middle, add_node(network, across(end)));
   }

@@ -35,8 +35,7 @@ namespace {
 void write(const TopoDS_Shape& shape, const std::string& path)
 {
   STEPControl_Writer writer;
-  if (writer.Transfer(shape, STEPControl_AsIs) != IFSelect_RetDone
-      || writer.Write(path.c_str()) != IFSelect_RetDone)
+  if (writer.Transfer(shape, STEPControl_AsIs) != IFSelect_RetDone || writer.Write(path.c_str()) != IFSelect_RetDone)
   {
     std::cerr << "cannot write " << path << '\n';
     std::exit(1);
@@ -55,8 +54,8 @@ TopoDS_Face polygon(const std::vector<gp_Pnt>& points)
 TopoDS_Shape drilled_block()
 {
   const gp_Ax2 axis(gp_Pnt(10, 8, -5), gp_Dir(0, 0, 1));
-  return BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(20., 16., 10.).Shape(),
-                         BRepPrimAPI_MakeCylinder(axis, 3, 20).Shape()).Shape();
+  return BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(20., 16., 10.).Shape(), BRepPrimAPI_MakeCylinder(axis, 3, 20).Shape())
+    .Shape();
 }
 
 // one edge of the box, along z, is rounded with the radius 3
@@ -83,16 +82,17 @@ TopoDS_Shape slanted_cylinder()
   gp_Trsf turn;
   turn.SetRotation(gp_Ax1(gp_Pnt(0, 0, 20), gp_Dir(0, 1, 0)), M_PI / 4);
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(-100, -100, 20), gp_Pnt(100, 100, 120)).Shape();
-  return BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(5, 60).Shape(),
-                         BRepBuilderAPI_Transform(box, turn).Shape()).Shape();
+  return BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(5, 60).Shape(), BRepBuilderAPI_Transform(box, turn).Shape()).Shape();
 }
 
 // a block whose upper side has a crease of 10 degrees
 TopoDS_Shape creased_block()
 {
   const double h = 10 - 10 * std::tan(5 * M_PI / 180);
-  return BRepPrimAPI_MakePrism(polygon({gp_Pnt(0, 0, 0), gp_Pnt(20, 0, 0), gp_Pnt(20, 0, h), gp_Pnt(10, 0, 10),
-                                        gp_Pnt(0, 0, h)}), gp_Vec(0, 12, 0)).Shape();
+  return BRepPrimAPI_MakePrism(
+           polygon({gp_Pnt(0, 0, 0), gp_Pnt(20, 0, 0), gp_Pnt(20, 0, h), gp_Pnt(10, 0, 10), gp_Pnt(0, 0, h)}),
+           gp_Vec(0, 12, 0))
+    .Shape();
 }
 
 // two squares side by side that do not know of each other

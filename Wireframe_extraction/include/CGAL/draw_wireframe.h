@@ -96,15 +96,15 @@ void add_to_scene(const CGAL::Wireframe<GeomTraits>& wireframe, Scene& scene)
 {
   CGAL::IO::internal::Sampled_wireframe sampled;
   std::string error;
-  if(!sampled.sample(wireframe, 0., GeomTraits(), error))
+  if (!sampled.sample(wireframe, 0., GeomTraits(), error))
   {
     std::cerr << "Impossible to draw, " << error << std::endl;
     return;
   }
-  for(std::size_t i = 0; i < wireframe.vertices.size(); ++i)
+  for (std::size_t i = 0; i < wireframe.vertices.size(); ++i)
     scene.add_point(drawn_point(sampled.points[i]), CGAL::IO::Color(20, 20, 20));
-  for(std::size_t i = 0; i < sampled.polylines.size(); ++i)
-    for(std::size_t j = 0; j + 1 < sampled.polylines[i].size(); ++j)
+  for (std::size_t i = 0; i < sampled.polylines.size(); ++i)
+    for (std::size_t j = 0; j + 1 < sampled.polylines[i].size(); ++j)
       scene.add_segment(drawn_point(sampled.points[sampled.polylines[i][j]]),
                         drawn_point(sampled.points[sampled.polylines[i][j + 1]]),
                         drawn_colour(wireframe.curves[i].type));
@@ -137,12 +137,12 @@ void draw(const CGAL::Wireframe<GeomTraits>& wireframe, const char* title = "Wir
 #ifdef CGAL_TEST_SUITE
   return;
 #endif
-  if(qEnvironmentVariableIsSet("CGAL_TEST_SUITE"))
+  if (qEnvironmentVariableIsSet("CGAL_TEST_SUITE"))
     return;
   CGAL::Qt::init_ogl_context(4, 3);
   int number_of_arguments = 1;
   char name[] = "wireframe_viewer";
-  char* arguments[] = { name, nullptr };
+  char* arguments[] = {name, nullptr};
   QApplication application(number_of_arguments, arguments);
   // points and segments, each with a colour of its own
   Basic_viewer_qt viewer(application.activeWindow(), title, true, true, false);

@@ -146,12 +146,11 @@ if its field is precise or without `use_creases`.
 */
 template <class GeomTraits, class ConcurrencyTag = CGAL::Parallel_if_available_tag,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
-Wireframe<GeomTraits>
-extract_wireframe_from_source(Wireframe_extraction::Distance_cloud_source& source,
-                              const NamedParameters& np = CGAL::parameters::default_values())
+Wireframe<GeomTraits> extract_wireframe_from_source(Wireframe_extraction::Distance_cloud_source& source,
+                                                    const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const GeomTraits traits = CGAL::parameters::choose_parameter<GeomTraits>(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits));
+  const GeomTraits traits =
+    CGAL::parameters::choose_parameter<GeomTraits>(CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits));
   Wireframe_extraction::internal::Extraction<GeomTraits, NamedParameters> extraction(traits, np);
   return Wireframe_extraction::internal::run_concurrently<ConcurrencyTag>([&] { return extraction.run(source, true); });
 }

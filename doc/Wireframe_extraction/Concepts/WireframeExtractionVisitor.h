@@ -49,14 +49,14 @@ public:
   is called when the corners are found.
   */
   void corners_detected(const CGAL::Wireframe_skeleton<Geom_traits>& skeleton,
-                        const std::vector<CGAL::Wireframe_corner<Geom_traits> >& corners);
+                        const std::vector<CGAL::Wireframe_corner<Geom_traits>>& corners);
 
   /*!
   is called when the skeleton without its corners is cut into curves. Each cluster holds indices into the
   skeleton.
   */
   void curves_segmented(const CGAL::Wireframe_skeleton<Geom_traits>& skeleton,
-                        const std::vector<std::vector<std::size_t> >& clusters);
+                        const std::vector<std::vector<std::size_t>>& clusters);
 
   /*!
   is called when the topological graph is built.

@@ -19,8 +19,8 @@ class Comma_locale
 public:
   Comma_locale() : m_before(std::locale::global(std::locale(std::locale::classic(), new Comma)))
   {
-    for(const char* const name : { "de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8" }) // of C, if there is one
-      if(std::setlocale(LC_ALL, name) != nullptr)
+    for (const char* const name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"}) // of C, if there is one
+      if (std::setlocale(LC_ALL, name) != nullptr)
         break;
   }
 

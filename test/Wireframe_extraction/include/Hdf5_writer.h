@@ -33,7 +33,7 @@ public:
   {
     const hid_t space = H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr);
     const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
-    if(is_compressed)
+    if (is_compressed)
     {
       std::vector<hsize_t> chunk(shape);
       chunk[0] = (std::min)(chunk[0], hsize_t(100));
@@ -42,7 +42,7 @@ public:
     }
     const hid_t dataset = H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT);
     assert(dataset >= 0);
-    if(is_written)
+    if (is_written)
       assert(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
     H5Dclose(dataset);
     H5Pclose(properties);
@@ -56,8 +56,8 @@ public:
     const hid_t file_type = H5Tvlen_create(type), memory_type = H5Tvlen_create(H5T_NATIVE_DOUBLE);
     const hid_t dataset = H5Dcreate2(file_, name.c_str(), file_type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     std::vector<hvl_t> raw;
-    for(std::vector<double>& row : rows)
-      raw.push_back({ row.size(), row.data() });
+    for (std::vector<double>& row : rows)
+      raw.push_back({row.size(), row.data()});
     assert(H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, raw.data()) >= 0);
     H5Dclose(dataset);
     H5Tclose(memory_type);
@@ -67,7 +67,7 @@ public:
 
   void add_external(const std::string& name, hsize_t count)
   {
-    const hsize_t shape[] = { count, 3 };
+    const hsize_t shape[] = {count, 3};
     const hid_t space = H5Screate_simple(2, shape, nullptr);
     const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
     H5Pset_external(properties, "scratch_elsewhere.raw", 0, H5F_UNLIMITED);

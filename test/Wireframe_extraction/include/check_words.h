@@ -13,13 +13,13 @@ typedef std::initializer_list<std::string> Words;
 // Every word is in the message, which is one readable line.
 inline void check_words(const std::string& error, const Words& words)
 {
-  for(const std::string& word : words)
-    if(error.find(word) == std::string::npos)
+  for (const std::string& word : words)
+    if (error.find(word) == std::string::npos)
     {
       std::fprintf(stderr, "\"%s\" is not in \"%s\"\n", word.c_str(), error.c_str());
       assert(false);
     }
-  for(const char c : error)
+  for (const char c : error)
     assert(static_cast<unsigned char>(c) >= 32 && static_cast<unsigned char>(c) < 127);
 }
 

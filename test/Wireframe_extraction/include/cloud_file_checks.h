@@ -31,15 +31,17 @@ struct Names
 
 inline auto name_parameters(const Names& names, std::string& error)
 {
-  return parameters::points_dataset(names.points).distances_dataset(names.distances)
-    .distance_property(names.property).error_message(&error);
+  return parameters::points_dataset(names.points)
+    .distances_dataset(names.distances)
+    .distance_property(names.property)
+    .error_message(&error);
 }
 
 inline Cloud read(const std::string& name, const Names& names = Names())
 {
   Cloud cloud;
   std::string error;
-  if(!CGAL::IO::read_distance_cloud(name, cloud, name_parameters(names, error)))
+  if (!CGAL::IO::read_distance_cloud(name, cloud, name_parameters(names, error)))
     std::fprintf(stderr, "%s\n", error.c_str());
   assert(error.empty() && !cloud.empty());
   return cloud;
@@ -49,7 +51,7 @@ inline Cloud read_pair(const std::string& name, const std::string& distances, co
 {
   Cloud cloud;
   std::string error;
-  if(!CGAL::IO::read_distance_cloud(name, distances, cloud, name_parameters(names, error)))
+  if (!CGAL::IO::read_distance_cloud(name, distances, cloud, name_parameters(names, error)))
     std::fprintf(stderr, "%s\n", error.c_str());
   assert(error.empty());
   return cloud;
@@ -57,7 +59,7 @@ inline Cloud read_pair(const std::string& name, const std::string& distances, co
 
 inline void refuse(const Test_file& file, const Words& words, const Names& names = Names())
 {
-  const Cloud before = { { Point(1, 2, 3), 4 } };
+  const Cloud before = {{Point(1, 2, 3), 4}};
   Cloud cloud = before;
   std::string error;
   assert(!CGAL::IO::read_distance_cloud(file.name, cloud, name_parameters(names, error)));
@@ -85,7 +87,7 @@ inline void refuse_pair(const std::string& name, const std::string& distances, c
 inline Cloud sample_cloud(std::size_t count)
 {
   Cloud cloud;
-  for(std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i)
   {
     const double t = static_cast<double>(i);
     cloud.emplace_back(Point(t, 0.5 * t - 3., 100. - 0.25 * t), 0.125 * static_cast<double>(i % 17));
@@ -96,15 +98,15 @@ inline Cloud sample_cloud(std::size_t count)
 inline std::vector<double> points_of(const Cloud& cloud)
 {
   std::vector<double> values;
-  for(const auto& sample : cloud)
-    values.insert(values.end(), { sample.first.x(), sample.first.y(), sample.first.z() });
+  for (const auto& sample : cloud)
+    values.insert(values.end(), {sample.first.x(), sample.first.y(), sample.first.z()});
   return values;
 }
 
 inline std::vector<double> distances_of(const Cloud& cloud)
 {
   std::vector<double> values;
-  for(const auto& sample : cloud)
+  for (const auto& sample : cloud)
     values.push_back(sample.second);
   return values;
 }
@@ -112,8 +114,8 @@ inline std::vector<double> distances_of(const Cloud& cloud)
 inline std::vector<double> rows_of_four(const Cloud& cloud)
 {
   std::vector<double> values;
-  for(const auto& sample : cloud)
-    values.insert(values.end(), { sample.first.x(), sample.first.y(), sample.first.z(), sample.second });
+  for (const auto& sample : cloud)
+    values.insert(values.end(), {sample.first.x(), sample.first.y(), sample.first.z(), sample.second});
   return values;
 }
 

@@ -68,7 +68,8 @@ inline True_wireframe truth_of(const std::vector<Evaluated_curve>& curves, const
   return result;
 }
 
-inline Predicted_wireframe prediction_of(const std::vector<Evaluated_curve>& curves, const std::vector<Point>& vertices = {})
+inline Predicted_wireframe prediction_of(const std::vector<Evaluated_curve>& curves,
+                                         const std::vector<Point>& vertices = {})
 {
   Predicted_wireframe result;
   result.curves = curves;
@@ -77,7 +78,8 @@ inline Predicted_wireframe prediction_of(const std::vector<Evaluated_curve>& cur
 }
 
 // the scores of curves without vertices
-inline Wireframe_scores scores_of(const std::vector<Evaluated_curve>& truth, const std::vector<Evaluated_curve>& prediction)
+inline Wireframe_scores scores_of(const std::vector<Evaluated_curve>& truth,
+                                  const std::vector<Evaluated_curve>& prediction)
 {
   return evaluate_wireframe(truth_of(truth), prediction_of(prediction));
 }

@@ -20,7 +20,7 @@ inline std::string npy_header(const std::string& dictionary, int version = 1)
   std::string bytes("\x93NUMPY", 6);
   bytes += static_cast<char>(version);
   bytes += '\0';
-  if(version == 1)
+  if (version == 1)
     append(static_cast<std::uint16_t>(dictionary.size()), false, bytes);
   else
     append(static_cast<std::uint32_t>(dictionary.size()), false, bytes);
@@ -30,7 +30,7 @@ inline std::string npy_header(const std::string& dictionary, int version = 1)
 inline std::string dictionary(const std::string& type, const std::string& shape, bool is_fortran = false)
 {
   return "{'descr': '" + type + "', 'fortran_order': " + (is_fortran ? "True" : "False") + ", 'shape': (" + shape
-         + "), }      \n";
+    + "), }      \n";
 }
 
 // a .npy file; the values are in C's order
@@ -38,36 +38,36 @@ inline std::string npy(const std::vector<double>& values, const std::vector<std:
                        const std::string& type = "<f8", bool is_fortran = false, int version = 1)
 {
   std::string shape_text;
-  for(const std::size_t& size : shape)
+  for (const std::size_t& size : shape)
     shape_text += std::to_string(size) + (shape.size() == 1 ? "," : &size == &shape.back() ? "" : ", ");
   std::string bytes = npy_header(dictionary(type, shape_text, is_fortran), version);
-  for(std::size_t i = 0; i < values.size(); ++i)
+  for (std::size_t i = 0; i < values.size(); ++i)
   {
     std::size_t index = i;
-    if(is_fortran)
+    if (is_fortran)
     {
       // the position of the i-th value of Fortran's order
       std::size_t rest = i;
       std::vector<std::size_t> position;
-      for(const std::size_t size : shape)
+      for (const std::size_t size : shape)
       {
         position.push_back(rest % size);
         rest /= size;
       }
       index = 0;
-      for(std::size_t axis = 0; axis < shape.size(); ++axis)
+      for (std::size_t axis = 0; axis < shape.size(); ++axis)
         index = index * shape[axis] + position[axis];
     }
     const double value = values[index];
     const bool is_big = (type[0] == '>');
     const std::string kind = type.substr(1);
-    if(kind == "f8")
+    if (kind == "f8")
       append(value, is_big, bytes);
-    else if(kind == "f4")
+    else if (kind == "f4")
       append(static_cast<float>(value), is_big, bytes);
-    else if(kind == "i8")
+    else if (kind == "i8")
       append(static_cast<std::int64_t>(value), is_big, bytes);
-    else if(kind == "u2")
+    else if (kind == "u2")
       append(static_cast<std::uint16_t>(value), is_big, bytes);
     else
       assert(false);
@@ -78,10 +78,10 @@ inline std::string npy(const std::vector<double>& values, const std::vector<std:
 inline std::uint32_t check_sum(const std::string& bytes)
 {
   std::uint32_t sum = 0xFFFFFFFFu;
-  for(const char c : bytes)
+  for (const char c : bytes)
   {
     sum ^= static_cast<unsigned char>(c);
-    for(int bit = 0; bit < 8; ++bit)
+    for (int bit = 0; bit < 8; ++bit)
       sum = (sum & 1u) != 0 ? (sum >> 1) ^ 0xEDB88320u : sum >> 1;
   }
   return ~sum;
@@ -115,26 +115,24 @@ struct Member
 inline std::string zip(const std::vector<Member>& members, unsigned method, bool is_large = false, unsigned flags = 0)
 {
   std::string bytes, directory;
-  for(const Member& member : members)
+  for (const Member& member : members)
   {
     const std::string data = method == 8 ? deflated(member.content) : member.content;
     const std::uint32_t sum = check_sum(member.content);
     const std::uint64_t offset = bytes.size();
-    const auto append_common = [&](std::string& target)
-    {
+    const auto append_common = [&](std::string& target) {
       append(std::uint16_t(45), false, target);
       append(static_cast<std::uint16_t>(flags), false, target);
       append(static_cast<std::uint16_t>(method), false, target);
       append(std::uint32_t(0), false, target);
       append(sum, false, target);
     };
-    const auto append_large = [&](bool has_offset, std::string& target)
-    {
+    const auto append_large = [&](bool has_offset, std::string& target) {
       append(std::uint16_t(1), false, target);
       append(std::uint16_t(has_offset ? 24 : 16), false, target);
       append(std::uint64_t(member.content.size()), false, target);
       append(std::uint64_t(data.size()), false, target);
-      if(has_offset)
+      if (has_offset)
         append(offset, false, target);
     };
     bytes += "PK\3\4";
@@ -157,12 +155,12 @@ inline std::string zip(const std::vector<Member>& members, unsigned method, bool
     directory += std::string(10, '\0');
     append(is_large ? 0xFFFFFFFFu : static_cast<std::uint32_t>(offset), false, directory);
     directory += member.name;
-    if(is_large)
+    if (is_large)
       append_large(true, directory);
   }
   const std::uint64_t begin = bytes.size(), size = directory.size(), count = members.size();
   bytes += directory;
-  if(is_large)
+  if (is_large)
   {
     const std::uint64_t large_end = bytes.size();
     bytes += "PK\6\6";
@@ -188,9 +186,9 @@ inline std::string zip(const std::vector<Member>& members, unsigned method, bool
 inline std::vector<unsigned> zip_methods()
 {
 #ifdef CGAL_WIREFRAME_EXTRACTION_USE_ZLIB
-  return { 0, 8 };
+  return {0, 8};
 #else
-  return { 0 };
+  return {0};
 #endif
 }
 

@@ -12,10 +12,11 @@
 #include <vector>
 
 template <class Point>
-std::vector<std::pair<Point, double> > cloud_of_samples(const Sample_solids::Cloud& samples)
+std::vector<std::pair<Point, double>> cloud_of_samples(const Sample_solids::Cloud& samples)
 {
-  std::vector<std::pair<Point, double> > cloud;
-  for (std::size_t i = 0; i < samples.points.size(); ++i) {
+  std::vector<std::pair<Point, double>> cloud;
+  for (std::size_t i = 0; i < samples.points.size(); ++i)
+  {
     const Sample_solids::Point& p = samples.points[i];
     cloud.emplace_back(Point(p[0], p[1], p[2]), samples.distances[i]);
   }

@@ -41,7 +41,7 @@ void append(Number number, bool is_big, std::string& bytes)
   std::memcpy(raw, &number, sizeof(Number));
   const std::uint16_t one = 1;
   const bool is_host_big = *reinterpret_cast<const char*>(&one) == 0;
-  if(is_big != is_host_big)
+  if (is_big != is_host_big)
     std::reverse(raw, raw + sizeof(Number));
   bytes.append(raw, sizeof(Number));
 }

@@ -34,31 +34,38 @@ struct Default_visitor
 
   /// is called with the skeleton.
   template <class GeomTraits>
-  void skeleton_selected(const Wireframe_skeleton<GeomTraits>&) {}
+  void skeleton_selected(const Wireframe_skeleton<GeomTraits>&)
+  {}
 
   /// is called with the contracted skeleton, after the field was refined.
   template <class GeomTraits>
-  void skeleton_contracted(const Wireframe_skeleton<GeomTraits>&) {}
+  void skeleton_contracted(const Wireframe_skeleton<GeomTraits>&)
+  {}
 
   /// is called with the corners.
   template <class GeomTraits>
-  void corners_detected(const Wireframe_skeleton<GeomTraits>&, const std::vector<Wireframe_corner<GeomTraits> >&) {}
+  void corners_detected(const Wireframe_skeleton<GeomTraits>&, const std::vector<Wireframe_corner<GeomTraits>>&)
+  {}
 
   /// is called with the points of the curves.
   template <class GeomTraits>
-  void curves_segmented(const Wireframe_skeleton<GeomTraits>&, const std::vector<std::vector<std::size_t> >&) {}
+  void curves_segmented(const Wireframe_skeleton<GeomTraits>&, const std::vector<std::vector<std::size_t>>&)
+  {}
 
   /// is called with the topological graph.
   template <class Graph>
-  void graph_built(const Graph&) {}
+  void graph_built(const Graph&)
+  {}
 
   /// is called with the wireframe, whose curves are splines.
   template <class GeomTraits>
-  void curves_fitted(const Wireframe<GeomTraits>&) {}
+  void curves_fitted(const Wireframe<GeomTraits>&)
+  {}
 
   /// is called with the wireframe in which lines, circles and ellipses were recognized.
   template <class GeomTraits>
-  void types_recognized(const Wireframe<GeomTraits>&) {}
+  void types_recognized(const Wireframe<GeomTraits>&)
+  {}
 };
 
 } // namespace Wireframe_extraction

@@ -57,17 +57,17 @@ the points of a kernel
 template <class Point, class FT = double>
 class Distance_cloud_filter
 {
-  typedef std::vector<std::pair<Point, FT> > Cloud;
+  typedef std::vector<std::pair<Point, FT>> Cloud;
   typedef internal::Cloud_access<Cloud, CGAL::parameters::Default_named_parameters> Access;
 
   static constexpr double safety = 1.5;
-  static constexpr double reach_of_neighbors = 5.;   // in sampling distances
+  static constexpr double reach_of_neighbors = 5.; // in sampling distances
 
   Cloud m_cloud;
   double m_width;
   std::size_t m_least_limit, m_limit;
   std::size_t m_number_of_points = 0, m_number_of_invalid = 0;
-  double m_bound = (std::numeric_limits<double>::infinity)();   // of the sampling distance
+  double m_bound = (std::numeric_limits<double>::infinity)(); // of the sampling distance
   double m_sampling_distance = 0.;
   bool m_is_up_to_date = true;
 
@@ -116,7 +116,8 @@ public:
     ++m_number_of_points;
     const double d = CGAL::to_double(distance);
     const std::pair<Point, FT> value(point, distance);
-    if (!access().position(value).allFinite() || !std::isfinite(d) || d < 0.) {
+    if (!access().position(value).allFinite() || !std::isfinite(d) || d < 0.)
+    {
       ++m_number_of_invalid;
       return;
     }
@@ -124,7 +125,8 @@ public:
     if (!(d < m_width * m_bound))
       return;
     m_cloud.push_back(value);
-    if (m_cloud.size() >= m_limit) {
+    if (m_cloud.size() >= m_limit)
+    {
       lower_bound();
       m_limit = (std::max)(m_least_limit, 2 * m_cloud.size());
     }
@@ -150,7 +152,7 @@ public:
   double width() const { return m_width; }
 
   /// returns the points that are kept, with their distances. The reference is valid until the next insertion.
-  const std::vector<std::pair<Point, FT> >& cloud()
+  const std::vector<std::pair<Point, FT>>& cloud()
   {
     update();
     return m_cloud;
@@ -197,9 +199,11 @@ private:
 
   void drop_beyond(double bound)
   {
-    m_cloud.erase(std::remove_if(m_cloud.begin(), m_cloud.end(), [&](const std::pair<Point, FT>& value) {
-      return !(CGAL::to_double(value.second) < m_width * bound);
-    }), m_cloud.end());
+    m_cloud.erase(std::remove_if(m_cloud.begin(), m_cloud.end(),
+                                 [&](const std::pair<Point, FT>& value) {
+                                   return !(CGAL::to_double(value.second) < m_width * bound);
+                                 }),
+                  m_cloud.end());
     if (m_cloud.size() < m_cloud.capacity() / 4)
       m_cloud.shrink_to_fit();
   }
@@ -209,7 +213,8 @@ private:
   {
     std::vector<internal::Vector> positions;
     std::vector<std::size_t> inner;
-    for (std::size_t i = 0; i < m_cloud.size(); ++i) {
+    for (std::size_t i = 0; i < m_cloud.size(); ++i)
+    {
       positions.push_back(access().position(m_cloud[i]));
       if (CGAL::to_double(m_cloud[i].second) <= (m_width - reach_of_neighbors) * m_bound)
         inner.push_back(i);

@@ -33,10 +33,10 @@ public:
   /// a point and its distance
   struct Sample
   {
-    double x;         ///< coordinate
-    double y;         ///< coordinate
-    double z;         ///< coordinate
-    double distance;  ///< distance to the nearest sharp feature
+    double x;        ///< coordinate
+    double y;        ///< coordinate
+    double z;        ///< coordinate
+    double distance; ///< distance to the nearest sharp feature
   };
 
   /// what takes a chunk of samples, and returns whether it wants more

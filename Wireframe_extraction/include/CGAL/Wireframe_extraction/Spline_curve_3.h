@@ -73,17 +73,17 @@ public:
   /// \name Types
   /// @{
 
-  typedef GeomTraits Geom_traits;                  ///< the traits class
-  typedef typename GeomTraits::FT FT;              ///< the number type
-  typedef typename GeomTraits::Point_3 Point_3;    ///< the point type
-  typedef typename GeomTraits::Vector_3 Vector_3;  ///< the vector type
+  typedef GeomTraits Geom_traits;                 ///< the traits class
+  typedef typename GeomTraits::FT FT;             ///< the number type
+  typedef typename GeomTraits::Point_3 Point_3;   ///< the point type
+  typedef typename GeomTraits::Vector_3 Vector_3; ///< the vector type
 
   /// The result of a projection on the curve.
   struct Closest_point
   {
-    FT parameter;    ///< the parameter of the closest point
-    Point_3 point;   ///< the closest point of the curve
-    FT distance;     ///< its distance to the query point
+    FT parameter;  ///< the parameter of the closest point
+    Point_3 point; ///< the closest point of the curve
+    FT distance;   ///< its distance to the query point
   };
 
   /// @}
@@ -105,10 +105,9 @@ public:
 
   \pre `is_valid(degree, knots, control_points)`
   */
-  Spline_curve_3(std::size_t degree, std::vector<FT> knots, std::vector<Point_3> control_points,
-                 bool is_closed = false, const GeomTraits& traits = GeomTraits())
-    : Spline_curve_3(degree, std::move(knots), std::move(control_points), std::vector<FT>(), is_closed,
-                     traits)
+  Spline_curve_3(std::size_t degree, std::vector<FT> knots, std::vector<Point_3> control_points, bool is_closed = false,
+                 const GeomTraits& traits = GeomTraits())
+    : Spline_curve_3(degree, std::move(knots), std::move(control_points), std::vector<FT>(), is_closed, traits)
   {}
 
   /*!
@@ -194,8 +193,7 @@ public:
          default
   \param traits the traits object; the default is a default constructed one
   */
-  static bool is_valid(std::size_t degree, const std::vector<FT>& knots,
-                       const std::vector<Point_3>& control_points,
+  static bool is_valid(std::size_t degree, const std::vector<FT>& knots, const std::vector<Point_3>& control_points,
                        const std::vector<FT>& weights = std::vector<FT>(), std::string* why = nullptr,
                        const GeomTraits& traits = GeomTraits())
   {
@@ -511,10 +509,7 @@ private:
       m_control_points.push_back(from_position(p));
   }
 
-  void check_not_empty() const
-  {
-    CGAL_precondition_msg(!is_empty(), "The spline curve is empty.");
-  }
+  void check_not_empty() const { CGAL_precondition_msg(!is_empty(), "The spline curve is empty."); }
 
   static Spline_vector to_vector(const Point_3& p, const GeomTraits& traits)
   {
@@ -559,15 +554,15 @@ private:
     if (degree == 0)
       return "The degree is 0; it must be at least 1.";
     if (control_points.size() <= degree)
-      return "A curve of degree " + std::to_string(degree) + " needs more than " + std::to_string(degree) +
-             " control points; there are " + std::to_string(control_points.size()) + ".";
+      return "A curve of degree " + std::to_string(degree) + " needs more than " + std::to_string(degree)
+        + " control points; there are " + std::to_string(control_points.size()) + ".";
     const std::size_t expected = control_points.size() + degree + 1;
     if (knots.size() != expected)
-      return std::to_string(control_points.size()) + " control points and degree " + std::to_string(degree) +
-             " need " + std::to_string(expected) + " knots; there are " + std::to_string(knots.size()) + ".";
+      return std::to_string(control_points.size()) + " control points and degree " + std::to_string(degree) + " need "
+        + std::to_string(expected) + " knots; there are " + std::to_string(knots.size()) + ".";
     if (!weights.empty() && weights.size() != control_points.size())
-      return "There are " + std::to_string(weights.size()) + " weights for " +
-             std::to_string(control_points.size()) + " control points.";
+      return "There are " + std::to_string(weights.size()) + " weights for " + std::to_string(control_points.size())
+        + " control points.";
 
     const Spline_data data = to_data(degree, knots, control_points, weights, traits);
     for (std::size_t i = 0; i < data.points.size(); ++i)
@@ -594,24 +589,21 @@ private:
         return "Knot " + std::to_string(i) + " is smaller than the one before.";
     }
     if (!(data.front() < data.back()))
-      return "The range of parameters is empty: knots " + std::to_string(data.degree) + " and " +
-             std::to_string(data.points.size()) + " are equal.";
+      return "The range of parameters is empty: knots " + std::to_string(data.degree) + " and "
+        + std::to_string(data.points.size()) + " are equal.";
     for (std::size_t i = 0, run = 1; i < data.knots.size(); ++i, ++run)
     {
       if (i > 0 && data.knots[i] != data.knots[i - 1])
         run = 1;
       const bool is_inside = data.knots[i] > data.front() && data.knots[i] < data.back();
       if (run > data.degree + (is_inside ? 0 : 1))
-        return "Knot " + std::to_string(i) + " is one repetition too many: " + std::to_string(data.degree) +
-               " are allowed inside of the range of parameters, one more at its ends.";
+        return "Knot " + std::to_string(i) + " is one repetition too many: " + std::to_string(data.degree)
+          + " are allowed inside of the range of parameters, one more at its ends.";
     }
     return std::string();
   }
 
-  std::size_t span(double u) const
-  {
-    return Wireframe_extraction::internal::find_span(m_data.knots, m_degree, u);
-  }
+  std::size_t span(double u) const { return Wireframe_extraction::internal::find_span(m_data.knots, m_degree, u); }
 
   // The number of the period in which u is. The end of the range belongs to it.
   double turn(double u) const
@@ -641,10 +633,7 @@ private:
   }
 
   // u0 <= u1, both in the range
-  double length_between(double u0, double u1) const
-  {
-    return Arc_length_table(m_data, u0, u1).length();
-  }
+  double length_between(double u0, double u1) const { return Arc_length_table(m_data, u0, u1).length(); }
 
   template <class PointOutputIterator>
   PointOutputIterator sample(const Arc_length_table& table, std::size_t count, PointOutputIterator out) const
@@ -675,7 +664,7 @@ private:
   std::vector<FT> m_weights;
   bool m_is_closed = false;
   GeomTraits m_traits;
-  Spline_data m_data;    // the same in double, converted once
+  Spline_data m_data; // the same in double, converted once
 };
 
 } // namespace CGAL

@@ -43,18 +43,18 @@ Of a circle and its arcs, `major_direction` points to where the curve starts, so
 template <class GeomTraits>
 struct Wireframe_conic
 {
-  typedef GeomTraits Geom_traits;                  ///< the traits class
-  typedef typename GeomTraits::FT FT;              ///< the number type
-  typedef typename GeomTraits::Point_3 Point_3;    ///< the point type
-  typedef typename GeomTraits::Vector_3 Vector_3;  ///< the vector type
+  typedef GeomTraits Geom_traits;                 ///< the traits class
+  typedef typename GeomTraits::FT FT;             ///< the number type
+  typedef typename GeomTraits::Point_3 Point_3;   ///< the point type
+  typedef typename GeomTraits::Vector_3 Vector_3; ///< the vector type
 
-  Point_3 center;              ///< the center
-  Vector_3 axis;               ///< the unit normal of the plane, about which the curve runs counterclockwise
-  Vector_3 major_direction;    ///< the unit direction of the major axis, orthogonal to `axis`
-  FT major_radius = FT(0);     ///< half the length of the major axis, in the unit of the points
-  FT minor_radius = FT(0);     ///< half the length of the minor axis, in the unit of the points
-  FT start_angle = FT(0);      ///< where the curve starts, in radians
-  FT end_angle = FT(0);        ///< where it ends, in radians; larger than `start_angle`, by at most a full turn
+  Point_3 center;           ///< the center
+  Vector_3 axis;            ///< the unit normal of the plane, about which the curve runs counterclockwise
+  Vector_3 major_direction; ///< the unit direction of the major axis, orthogonal to `axis`
+  FT major_radius = FT(0);  ///< half the length of the major axis, in the unit of the points
+  FT minor_radius = FT(0);  ///< half the length of the minor axis, in the unit of the points
+  FT start_angle = FT(0);   ///< where the curve starts, in radians
+  FT end_angle = FT(0);     ///< where it ends, in radians; larger than `start_angle`, by at most a full turn
 
   /// returns the point at an angle. Constant time.
   /// \param angle the angle, in radians
@@ -78,7 +78,8 @@ struct Wireframe_conic
     const double scale = CGAL::to_double(major_radius);
     std::vector<FT> knots(1, FT(scale * begin)), weights;
     std::vector<Point_3> points;
-    for (std::size_t i = 0; i <= 2 * pieces; ++i) {
+    for (std::size_t i = 0; i <= 2 * pieces; ++i)
+    {
       const double phi = begin + half * double(i), w = i % 2 == 0 ? 1. : weight;
       points.push_back(is_closed && i == 2 * pieces ? points.front()
                                                     : combination(std::cos(phi) / w, std::sin(phi) / w, traits));
@@ -109,8 +110,8 @@ private:
   Point_3 combination(double c, double s, const GeomTraits& traits) const
   {
     const Spline_vector x = to_vector(major_direction, traits), y = cross(to_vector(axis, traits), x);
-    const Spline_vector p = to_vector(center, traits) + (CGAL::to_double(major_radius) * c) * x
-      + (CGAL::to_double(minor_radius) * s) * y;
+    const Spline_vector p =
+      to_vector(center, traits) + (CGAL::to_double(major_radius) * c) * x + (CGAL::to_double(minor_radius) * s) * y;
     return traits.construct_point_3_object()(FT(p.x), FT(p.y), FT(p.z));
   }
 };

@@ -26,33 +26,33 @@ struct Wireframe_extraction_report
   /// how an extraction ended
   enum class Status
   {
-    SUCCESS,        ///< there is a wireframe
-    INVALID_INPUT,  ///< the cloud or a parameter cannot be right; `message` says why
-    NO_FEATURE,     ///< the cloud has no sharp feature
-    CANCELLED       ///< the callback returned `false`
+    SUCCESS,       ///< there is a wireframe
+    INVALID_INPUT, ///< the cloud or a parameter cannot be right; `message` says why
+    NO_FEATURE,    ///< the cloud has no sharp feature
+    CANCELLED      ///< the callback returned `false`
   };
 
-  Status status = Status::SUCCESS;            ///< how the extraction ended
-  std::string message;                        ///< why there is no wireframe, in one line
-  std::vector<std::string> warnings;          ///< what looks odd but did no harm
-  std::size_t number_of_points = 0;           ///< points of the cloud
-  std::size_t number_of_skipped_points = 0;   ///< points left out since they are invalid
-  std::size_t number_of_duplicates = 0;       ///< points near features left out since they repeat others
-  std::size_t number_of_strays = 0;           ///< points near features left out since they are farther than
-                                              ///< 10<sup>9</sup> sampling distances from the others
-  std::size_t skeleton_size = 0;              ///< points of the skeleton
-  std::size_t number_of_corners = 0;          ///< vertices of the wireframe in which curves meet
-  std::size_t number_of_free_ends = 0;        ///< vertices of the wireframe in which a single curve ends
-  std::size_t number_of_clusters = 0;         ///< groups of points that curves start from
-  std::size_t number_of_curves = 0;           ///< curves of the wireframe
-  std::vector<std::string> regularities;      ///< what `regularize` made equal, coaxial, parallel or orthogonal: a line
-                                              ///< for each group, with indices of curves
-  double sampling_distance = 0.;              ///< in the cloud's unit
-  double noise = 0.;                          ///< noise level of the field, in the cloud's unit: what
-                                              ///< `Wireframe_skeleton::noise()` returns after the refinement
-  double root_mean_square = 0.;               ///< of the residuals of all curves, in the cloud's unit
-  double maximum_deviation = 0.;              ///< largest residual of a supporting point, in the cloud's unit
-  std::vector<std::pair<std::string, double> > seconds;  ///< duration of the stages, in their order
+  Status status = Status::SUCCESS;          ///< how the extraction ended
+  std::string message;                      ///< why there is no wireframe, in one line
+  std::vector<std::string> warnings;        ///< what looks odd but did no harm
+  std::size_t number_of_points = 0;         ///< points of the cloud
+  std::size_t number_of_skipped_points = 0; ///< points left out since they are invalid
+  std::size_t number_of_duplicates = 0;     ///< points near features left out since they repeat others
+  std::size_t number_of_strays = 0;         ///< points near features left out since they are farther than
+                                            ///< 10<sup>9</sup> sampling distances from the others
+  std::size_t skeleton_size = 0;            ///< points of the skeleton
+  std::size_t number_of_corners = 0;        ///< vertices of the wireframe in which curves meet
+  std::size_t number_of_free_ends = 0;      ///< vertices of the wireframe in which a single curve ends
+  std::size_t number_of_clusters = 0;       ///< groups of points that curves start from
+  std::size_t number_of_curves = 0;         ///< curves of the wireframe
+  std::vector<std::string> regularities;    ///< what `regularize` made equal, coaxial, parallel or orthogonal: a line
+                                            ///< for each group, with indices of curves
+  double sampling_distance = 0.;            ///< in the cloud's unit
+  double noise = 0.;                        ///< noise level of the field, in the cloud's unit: what
+                                            ///< `Wireframe_skeleton::noise()` returns after the refinement
+  double root_mean_square = 0.;             ///< of the residuals of all curves, in the cloud's unit
+  double maximum_deviation = 0.;            ///< largest residual of a supporting point, in the cloud's unit
+  std::vector<std::pair<std::string, double>> seconds; ///< duration of the stages, in their order
 };
 
 } // namespace CGAL

@@ -24,14 +24,14 @@ namespace CGAL {
 /// What a vertex of a wireframe's topological graph knows besides its position.
 struct Wireframe_vertex
 {
-  bool is_corner = false;   ///< whether curves end here; the other vertices lie inside a curve
+  bool is_corner = false; ///< whether curves end here; the other vertices lie inside a curve
 };
 
 /// \ingroup PkgWireframeExtractionClasses
 /// What an edge of a wireframe's topological graph knows.
 struct Wireframe_edge
 {
-  std::size_t curve_id = 0;   ///< the curve that the edge is a part of
+  std::size_t curve_id = 0; ///< the curve that the edge is a part of
 };
 
 /// \ingroup PkgWireframeExtractionClasses
@@ -42,10 +42,10 @@ struct Wireframe_edge
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
 template <class GeomTraits>
-using Wireframe_graph = boost::adjacency_list<
-  boost::vecS, boost::vecS, boost::undirectedS,
-  boost::property<CGAL::vertex_point_t, typename GeomTraits::Point_3, Wireframe_vertex>,
-  Wireframe_edge>;
+using Wireframe_graph =
+  boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS,
+                        boost::property<CGAL::vertex_point_t, typename GeomTraits::Point_3, Wireframe_vertex>,
+                        Wireframe_edge>;
 
 } // namespace CGAL
 

@@ -34,10 +34,10 @@ template <class GeomTraits>
 class Wireframe_skeleton
 {
 public:
-  typedef GeomTraits Geom_traits;                    ///< the traits class
-  typedef typename GeomTraits::FT FT;                ///< the number type
-  typedef typename GeomTraits::Point_3 Point_3;      ///< the point type
-  typedef typename GeomTraits::Vector_3 Vector_3;    ///< the vector type
+  typedef GeomTraits Geom_traits;                 ///< the traits class
+  typedef typename GeomTraits::FT FT;             ///< the number type
+  typedef typename GeomTraits::Point_3 Point_3;   ///< the point type
+  typedef typename GeomTraits::Vector_3 Vector_3; ///< the vector type
 
   /// constructs an empty skeleton.
   Wireframe_skeleton() {}
@@ -62,7 +62,11 @@ public:
   std::size_t number_of_strays() const { return m_number_of_strays; }
 
   /// returns the `i`-th point. \pre `i < support_size()`
-  Point_3 point(std::size_t i) const { CGAL_precondition(i < support_size()); return to_point(m_band->points[i]); }
+  Point_3 point(std::size_t i) const
+  {
+    CGAL_precondition(i < support_size());
+    return to_point(m_band->points[i]);
+  }
 
   /// returns the distance of the `i`-th point to the nearest sharp feature. \pre `i < support_size()`
   FT distance(std::size_t i) const
@@ -72,7 +76,11 @@ public:
   }
 
   /// returns the position of the `i`-th point in the cloud. \pre `i < support_size()`
-  std::size_t index(std::size_t i) const { CGAL_precondition(i < support_size()); return m_band->indices[i]; }
+  std::size_t index(std::size_t i) const
+  {
+    CGAL_precondition(i < support_size());
+    return m_band->indices[i];
+  }
 
   /// returns whether `contract_skeleton()` was called.
   bool is_contracted() const { return m_contraction != nullptr; }

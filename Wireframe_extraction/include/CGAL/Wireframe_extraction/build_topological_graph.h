@@ -67,14 +67,17 @@ Wireframe_graph<GeomTraits> to_graph(const Curve_network& network, const Wirefra
   const Vertex none = boost::graph_traits<Graph>::null_vertex();
   std::vector<Vertex> vertex_of_node(network.nodes.size(), none);
   std::size_t id = 0;
-  for (const Network_curve& curve : network.curves) {
+  for (const Network_curve& curve : network.curves)
+  {
     if (!curve.is_alive || curve.points.size() < 2)
       continue;
     const bool is_loop = curve.nodes[0] == curve.nodes[1];
     const std::vector<Vector> polyline = thin_out(curve.points, spacing, is_loop ? 2 : 1);
     Vertex ends[2];
-    for (int e = 0; e < 2; ++e) {
-      if (curve.is_closed_without_node()) {
+    for (int e = 0; e < 2; ++e)
+    {
+      if (curve.is_closed_without_node())
+      {
         ends[e] = e == 0 ? add(polyline.front(), false) : ends[0];
         continue;
       }
@@ -84,7 +87,8 @@ Wireframe_graph<GeomTraits> to_graph(const Curve_network& network, const Wirefra
       ends[e] = v;
     }
     Vertex previous = ends[0];
-    for (std::size_t k = 1; k < polyline.size(); ++k) {
+    for (std::size_t k = 1; k < polyline.size(); ++k)
+    {
       const Vertex next = k + 1 < polyline.size() ? add(polyline[k], false) : ends[1];
       boost::add_edge(previous, next, Wireframe_edge{id}, graph);
       previous = next;
@@ -96,14 +100,14 @@ Wireframe_graph<GeomTraits> to_graph(const Curve_network& network, const Wirefra
 
 template <class GeomTraits>
 Wireframe_graph<GeomTraits> build_graph(const Wireframe_skeleton<GeomTraits>& skeleton,
-                                        const std::vector<Wireframe_corner<GeomTraits> >& corners,
-                                        const std::vector<std::vector<std::size_t> >& clusters,
-                                        const Extraction_options& options,
-                                        const std::function<bool(double)>& proceed)
+                                        const std::vector<Wireframe_corner<GeomTraits>>& corners,
+                                        const std::vector<std::vector<std::size_t>>& clusters,
+                                        const Extraction_options& options, const std::function<bool(double)>& proceed)
 {
   if (skeleton.is_empty())
     return Wireframe_graph<GeomTraits>();
-  if (options.graph_method == Graph_method::SUBDIVIDED) {
+  if (options.graph_method == Graph_method::SUBDIVIDED)
+  {
     std::vector<Subdivided_network::Corner> centers;
     for (const Wireframe_corner<GeomTraits>& corner : corners)
       centers.push_back({skeleton.to_local(corner.center), CGAL::to_double(corner.radius) / skeleton.unit()});
@@ -111,7 +115,8 @@ Wireframe_graph<GeomTraits> build_graph(const Wireframe_skeleton<GeomTraits>& sk
   }
   std::vector<std::size_t> seeds;
   for (const std::vector<std::size_t>& cluster : clusters)
-    for (std::size_t i : cluster) {
+    for (std::size_t i : cluster)
+    {
       CGAL_precondition(i < skeleton.size());
       seeds.push_back(i);
     }
@@ -231,12 +236,9 @@ points that get s segments.
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTraits,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
-[[nodiscard]]
-Wireframe_graph<GeomTraits>
-build_topological_graph(const Wireframe_skeleton<GeomTraits>& skeleton,
-                        const std::vector<Wireframe_corner<GeomTraits> >& corners,
-                        const std::vector<std::vector<std::size_t> >& clusters,
-                        const NamedParameters& np = CGAL::parameters::default_values())
+[[nodiscard]] Wireframe_graph<GeomTraits> build_topological_graph(
+  const Wireframe_skeleton<GeomTraits>& skeleton, const std::vector<Wireframe_corner<GeomTraits>>& corners,
+  const std::vector<std::vector<std::size_t>>& clusters, const NamedParameters& np = CGAL::parameters::default_values())
 {
   const std::function<bool(double)> proceed = internal::progress_callback(np);
   const internal::Extraction_options options = internal::extraction_options(np);

@@ -37,11 +37,11 @@ namespace CGAL {
 template <class GeomTraits>
 struct Wireframe_corner
 {
-  typedef GeomTraits Geom_traits;        ///< the traits class
+  typedef GeomTraits Geom_traits; ///< the traits class
 
-  typename GeomTraits::Point_3 center;   ///< where the corner is
-  typename GeomTraits::FT radius;        ///< how far from the center the corner's points lie, in the cloud's unit
-  std::vector<std::size_t> members;      ///< the points of the skeleton that belong to it, in ascending order
+  typename GeomTraits::Point_3 center; ///< where the corner is
+  typename GeomTraits::FT radius;      ///< how far from the center the corner's points lie, in the cloud's unit
+  std::vector<std::size_t> members;    ///< the points of the skeleton that belong to it, in ascending order
 };
 
 namespace Wireframe_extraction {
@@ -69,8 +69,8 @@ inline double second_variance_ratio(const std::vector<Vector>& points, const std
 }
 
 // Groups of skeleton points, each closer than `reach` to another one of its group.
-inline std::vector<std::vector<std::size_t> > connected_groups(const Field_band& band,
-                                                               const std::vector<char>& is_marked, double reach)
+inline std::vector<std::vector<std::size_t>> connected_groups(const Field_band& band,
+                                                              const std::vector<char>& is_marked, double reach)
 {
   typedef CGAL::Union_find<std::size_t> Union_find;
   Union_find sets;
@@ -79,7 +79,8 @@ inline std::vector<std::vector<std::size_t> > connected_groups(const Field_band&
     if (is_marked[i])
       handles[i] = sets.make_set(i);
   std::vector<std::size_t> ball;
-  for (std::size_t i = 0; i < band.skeleton_size; ++i) {
+  for (std::size_t i = 0; i < band.skeleton_size; ++i)
+  {
     if (!is_marked[i])
       continue;
     band.search.query(band.points[i], reach, ball);
@@ -87,10 +88,11 @@ inline std::vector<std::vector<std::size_t> > connected_groups(const Field_band&
       if (j < i && is_marked[j])
         sets.unify_sets(handles[i], handles[j]);
   }
-  std::vector<std::vector<std::size_t> > groups;
+  std::vector<std::vector<std::size_t>> groups;
   std::map<std::size_t, std::size_t> group_of_root;
   for (std::size_t i = 0; i < band.skeleton_size; ++i)
-    if (is_marked[i]) {
+    if (is_marked[i])
+    {
       const auto inserted = group_of_root.emplace(*sets.find(handles[i]), groups.size());
       if (inserted.second)
         groups.emplace_back();
@@ -101,14 +103,15 @@ inline std::vector<std::vector<std::size_t> > connected_groups(const Field_band&
 
 // The published measure: balls around farthest point samples, of which those with a large second variance ratio hold a
 // corner; what a bounding box around connected balls takes belongs to it.
-inline std::vector<std::vector<std::size_t> > corners_by_variance(const Field_band& band,
-                                                                  const Extraction_options& options)
+inline std::vector<std::vector<std::size_t>> corners_by_variance(const Field_band& band,
+                                                                 const Extraction_options& options)
 {
-  const std::size_t count = static_cast<std::size_t>(
-    std::ceil(options.corner_sampling_ratio * double(band.skeleton_size)));
+  const std::size_t count =
+    static_cast<std::size_t>(std::ceil(options.corner_sampling_ratio * double(band.skeleton_size)));
   std::vector<char> is_in_corner_ball(band.skeleton_size, 0);
   std::vector<std::size_t> ball;
-  for (std::size_t center : farthest_point_sampling(band.points, band.skeleton_size, count)) {
+  for (std::size_t center : farthest_point_sampling(band.points, band.skeleton_size, count))
+  {
     band.search.query(band.points[center], options.corner_radius, ball);
     ball.erase(std::remove_if(ball.begin(), ball.end(), [&](std::size_t i) { return i >= band.skeleton_size; }),
                ball.end());
@@ -116,17 +119,18 @@ inline std::vector<std::vector<std::size_t> > corners_by_variance(const Field_ba
       for (std::size_t i : ball)
         is_in_corner_ball[i] = 1;
   }
-  std::vector<std::vector<std::size_t> > groups
-    = connected_groups(band, is_in_corner_ball, options.connection_radius);
+  std::vector<std::vector<std::size_t>> groups = connected_groups(band, is_in_corner_ball, options.connection_radius);
   std::vector<char> is_taken(band.skeleton_size, 0);
-  for (std::vector<std::size_t>& group : groups) {
+  for (std::vector<std::size_t>& group : groups)
+  {
     Eigen::AlignedBox3d box;
     for (std::size_t i : group)
       box.extend(band.points[i]);
     band.search.query(box.center(), 0.5 * box.diagonal().norm() + 1e-6, ball);
     std::vector<std::size_t> members;
     for (std::size_t i : ball)
-      if (i < band.skeleton_size && !is_taken[i] && box.contains(band.points[i])) {
+      if (i < band.skeleton_size && !is_taken[i] && box.contains(band.points[i]))
+      {
         is_taken[i] = 1;
         members.push_back(i);
       }
@@ -137,18 +141,16 @@ inline std::vector<std::vector<std::size_t> > corners_by_variance(const Field_ba
   return groups;
 }
 
-inline std::vector<std::vector<std::size_t> > corners_by_residual(const Field_band& band,
-                                                                  const Contraction& contraction,
-                                                                  const Extraction_options& options)
+inline std::vector<std::vector<std::size_t>> corners_by_residual(const Field_band& band, const Contraction& contraction,
+                                                                 const Extraction_options& options)
 {
   const double threshold = options.corner_residual >= 0. ? options.corner_residual : 0.15 + 1.5 * contraction.noise;
   std::vector<char> is_irregular(band.skeleton_size, 0);
   for (std::size_t i = 0; i < band.skeleton_size; ++i)
     is_irregular[i] = contraction.residuals[i] > threshold;
-  std::vector<std::vector<std::size_t> > groups = connected_groups(band, is_irregular, 1.5);
+  std::vector<std::vector<std::size_t>> groups = connected_groups(band, is_irregular, 1.5);
   // single bad fits occur anywhere
-  groups.erase(std::remove_if(groups.begin(), groups.end(), [](const auto& g) { return g.size() < 3; }),
-               groups.end());
+  groups.erase(std::remove_if(groups.begin(), groups.end(), [](const auto& g) { return g.size() < 3; }), groups.end());
   return groups;
 }
 
@@ -207,20 +209,19 @@ detects where curves meet. Two measures are at hand:
 Complexity: O(n log n + n k) for n points with k neighbors in a ball.
 */
 template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>
-[[nodiscard]]
-std::vector<Wireframe_corner<GeomTraits> >
-detect_corners(const Wireframe_skeleton<GeomTraits>& skeleton,
-               const NamedParameters& np = CGAL::parameters::default_values())
+[[nodiscard]] std::vector<Wireframe_corner<GeomTraits>> detect_corners(
+  const Wireframe_skeleton<GeomTraits>& skeleton, const NamedParameters& np = CGAL::parameters::default_values())
 {
-  std::vector<Wireframe_corner<GeomTraits> > corners;
+  std::vector<Wireframe_corner<GeomTraits>> corners;
   if (skeleton.is_empty())
     return corners;
   const internal::Extraction_options options = internal::extraction_options(np);
   const internal::Field_band& band = skeleton.band();
-  const std::vector<std::vector<std::size_t> > groups = options.corner_measure == Corner_measure::VARIANCE
+  const std::vector<std::vector<std::size_t>> groups = options.corner_measure == Corner_measure::VARIANCE
     ? internal::corners_by_variance(band, options)
     : internal::corners_by_residual(band, skeleton.contraction(), options);
-  for (const std::vector<std::size_t>& group : groups) {
+  for (const std::vector<std::size_t>& group : groups)
+  {
     internal::Vector center = internal::Vector::Zero();
     for (std::size_t i : group)
       center += band.points[i];

@@ -65,9 +65,8 @@ finite or have a negative distance do not count.
 Complexity: O(n log n) for n points.
 */
 template <class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
-[[nodiscard]]
-double estimate_sampling_distance(const PointRange& points,
-                                  const NamedParameters& np = CGAL::parameters::default_values())
+[[nodiscard]] double estimate_sampling_distance(const PointRange& points,
+                                                const NamedParameters& np = CGAL::parameters::default_values())
 {
   typedef internal::Cloud_access<PointRange, NamedParameters> Access;
   const Access access(np);

@@ -34,7 +34,7 @@ template <class Graph>
 struct Path_collector
 {
   typedef typename boost::graph_traits<Graph>::vertex_descriptor Vertex;
-  std::vector<std::vector<Vertex> >& paths;
+  std::vector<std::vector<Vertex>>& paths;
 
   void start_new_polyline() { paths.emplace_back(); }
   void add_node(Vertex v) { paths.back().push_back(v); }
@@ -43,15 +43,15 @@ struct Path_collector
 
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"   // a false one, about edges of Boost that CGAL collects
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized" // a false one, about edges of Boost that CGAL collects
 #endif
 
 // the paths between vertices that are corners, or have a degree other than 2
 template <class Graph>
-std::vector<std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> > split_into_paths(const Graph& graph)
+std::vector<std::vector<typename boost::graph_traits<Graph>::vertex_descriptor>> split_into_paths(const Graph& graph)
 {
   typedef typename boost::graph_traits<Graph>::vertex_descriptor Vertex;
-  std::vector<std::vector<Vertex> > paths;
+  std::vector<std::vector<Vertex>> paths;
   Path_collector<Graph> collector{paths};
   CGAL::split_graph_into_polylines(graph, collector, [](Vertex v, const Graph& g) { return g[v].is_corner; });
   return paths;
@@ -88,17 +88,19 @@ template <class GeomTraits>
 std::vector<Fitted_curve> curves_to_fit(const Wireframe_skeleton<GeomTraits>& skeleton,
                                         const Wireframe_graph<GeomTraits>& graph, std::vector<Vector>& vertices)
 {
-  typedef typename boost::graph_traits<Wireframe_graph<GeomTraits> >::vertex_descriptor Vertex;
+  typedef typename boost::graph_traits<Wireframe_graph<GeomTraits>>::vertex_descriptor Vertex;
   std::vector<std::size_t> vertex_of_node(boost::num_vertices(graph), Fitted_curve::no_vertex);
   const auto vertex = [&](Vertex v) {
-    if (vertex_of_node[v] == Fitted_curve::no_vertex) {
+    if (vertex_of_node[v] == Fitted_curve::no_vertex)
+    {
       vertex_of_node[v] = vertices.size();
       vertices.push_back(skeleton.to_local(get(CGAL::vertex_point, graph, v)));
     }
     return vertex_of_node[v];
   };
   std::vector<Fitted_curve> curves;
-  for (const std::vector<Vertex>& path : split_into_paths(graph)) {
+  for (const std::vector<Vertex>& path : split_into_paths(graph))
+  {
     if (path.size() < 2)
       continue;
     Fitted_curve curve;
@@ -113,9 +115,8 @@ std::vector<Fitted_curve> curves_to_fit(const Wireframe_skeleton<GeomTraits>& sk
 }
 
 template <class GeomTraits>
-Wireframe<GeomTraits> fit(const Wireframe_skeleton<GeomTraits>& skeleton,
-                          const Wireframe_graph<GeomTraits>& graph, const Extraction_options& options,
-                          const std::function<bool(double)>& proceed)
+Wireframe<GeomTraits> fit(const Wireframe_skeleton<GeomTraits>& skeleton, const Wireframe_graph<GeomTraits>& graph,
+                          const Extraction_options& options, const std::function<bool(double)>& proceed)
 {
   typedef typename GeomTraits::FT FT;
   Wireframe<GeomTraits> wireframe;
@@ -133,10 +134,12 @@ Wireframe<GeomTraits> fit(const Wireframe_skeleton<GeomTraits>& skeleton,
 
   for (const Vector& v : fit.vertices())
     wireframe.vertices.push_back(skeleton.to_point(v));
-  for (const Fitted_curve& fitted : fit.curves()) {
+  for (const Fitted_curve& fitted : fit.curves())
+  {
     Wireframe_curve<GeomTraits> curve;
     curve.spline = to_spline(fitted.spline, fitted.is_closed_without_vertex() || fitted.is_loop(), skeleton);
-    if (!fitted.is_closed_without_vertex()) {
+    if (!fitted.is_closed_without_vertex())
+    {
       curve.source = fitted.vertices[0];
       curve.target = fitted.vertices[1];
     }
@@ -213,10 +216,9 @@ Complexity: O(n log n) for n points per round, besides the solution of the spars
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTraits,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
-[[nodiscard]]
-Wireframe<GeomTraits> fit_curves(const Wireframe_skeleton<GeomTraits>& skeleton,
-                                 const Wireframe_graph<GeomTraits>& graph,
-                                 const NamedParameters& np = CGAL::parameters::default_values())
+[[nodiscard]] Wireframe<GeomTraits> fit_curves(const Wireframe_skeleton<GeomTraits>& skeleton,
+                                               const Wireframe_graph<GeomTraits>& graph,
+                                               const NamedParameters& np = CGAL::parameters::default_values())
 {
   const std::function<bool(double)> proceed = internal::progress_callback(np);
   const internal::Extraction_options options = internal::extraction_options(np);

@@ -28,7 +28,11 @@ namespace internal_np {
 
 using namespace CGAL::internal_np;
 
-#define CGAL_add_named_parameter(X, Y, Z) enum X { Y };
+#define CGAL_add_named_parameter(X, Y, Z) \
+  enum X                                  \
+  {                                       \
+    Y                                     \
+  };
 #include CGAL_WIREFRAME_NP_LIST
 #undef CGAL_add_named_parameter
 
@@ -41,11 +45,11 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   using Cgal_base = CGAL::Named_function_parameters<T, Tag, Base>;
   using Cgal_base::Cgal_base;
 
-#define CGAL_add_named_parameter(X, Y, Z)                                    \
-  template <class K>                                                         \
-  Named_parameters<K, internal_np::X, Named_parameters> Z(const K& k) const  \
-  {                                                                          \
-    return {k, *this};                                                       \
+#define CGAL_add_named_parameter(X, Y, Z)                                   \
+  template <class K>                                                        \
+  Named_parameters<K, internal_np::X, Named_parameters> Z(const K& k) const \
+  {                                                                         \
+    return {k, *this};                                                      \
   }
 #include CGAL_WIREFRAME_NP_LIST
 #undef CGAL_add_named_parameter
@@ -57,9 +61,12 @@ namespace parameters {
 #ifndef DOXYGEN_RUNNING
 using namespace CGAL::parameters;
 
-#define CGAL_add_named_parameter(X, Y, Z)       \
-  template <class K>                            \
-  Named_parameters<K, internal_np::X> Z(const K& k) { return {k}; }
+#define CGAL_add_named_parameter(X, Y, Z)           \
+  template <class K>                                \
+  Named_parameters<K, internal_np::X> Z(const K& k) \
+  {                                                 \
+    return {k};                                     \
+  }
 #include CGAL_WIREFRAME_NP_LIST
 #undef CGAL_add_named_parameter
 #endif
@@ -69,10 +76,21 @@ using namespace CGAL::parameters;
 /// code the authors published), to compare with. Further parameters can be appended.
 inline auto paper_defaults()
 {
-  return corner_measure(Corner_measure::VARIANCE).corner_sampling_ratio(0.1).corner_radius(4.).corner_variance(0.3)
-    .connection_radius(3.).use_tangents(false).graph_method(Graph_method::SUBDIVIDED)
-    .end_detection(End_detection::MAIN_AXIS).split_threshold(4.).use_creases(false).use_robust_loss(false)
-    .move_corners(false).adapt_knots(false).number_of_rounds(1).recognize_types(false);
+  return corner_measure(Corner_measure::VARIANCE)
+    .corner_sampling_ratio(0.1)
+    .corner_radius(4.)
+    .corner_variance(0.3)
+    .connection_radius(3.)
+    .use_tangents(false)
+    .graph_method(Graph_method::SUBDIVIDED)
+    .end_detection(End_detection::MAIN_AXIS)
+    .split_threshold(4.)
+    .use_creases(false)
+    .use_robust_loss(false)
+    .move_corners(false)
+    .adapt_knots(false)
+    .number_of_rounds(1)
+    .recognize_types(false);
 }
 
 } // namespace parameters

@@ -19,52 +19,52 @@ namespace Wireframe_extraction {
 /// What tells a corner from the inside of a curve.
 enum class Corner_measure
 {
-  FIELD_RESIDUAL,  ///< how badly a single curve explains the distance field around a point
-  VARIANCE         ///< the second explained variance ratio of the points in a ball (eq. 1 of \cgalCite{MAZB21})
+  FIELD_RESIDUAL, ///< how badly a single curve explains the distance field around a point
+  VARIANCE        ///< the second explained variance ratio of the points in a ball (eq. 1 of \cgalCite{MAZB21})
 };
 
 /// \ingroup PkgWireframeExtractionParameters
 /// How the topological graph comes about.
 enum class Graph_method
 {
-  TRACED,     ///< curves are traced through the field and joined where their ends meet
-  SUBDIVIDED  ///< a polyline per cluster is subdivided (eq. 2 of \cgalCite{MAZB21}) and joined to the nearest corners
+  TRACED,    ///< curves are traced through the field and joined where their ends meet
+  SUBDIVIDED ///< a polyline per cluster is subdivided (eq. 2 of \cgalCite{MAZB21}) and joined to the nearest corners
 };
 
 /// \ingroup PkgWireframeExtractionParameters
 /// Which points of a cluster are its ends, for `Graph_method::SUBDIVIDED`.
 enum class End_detection
 {
-  GRAPH_DISTANCE,  ///< two points farthest from each other along the neighborhood graph
-  MAIN_AXIS        ///< the extremes along the direction of largest variance
+  GRAPH_DISTANCE, ///< two points farthest from each other along the neighborhood graph
+  MAIN_AXIS       ///< the extremes along the direction of largest variance
 };
 
 /// \ingroup PkgWireframeExtractionParameters
 /// What becomes of the distances that overlapping patches give to the same point.
 enum class Patch_fusion
 {
-  MINIMUM,  ///< the smallest: the patches that see the feature count
-  MEDIAN    ///< the median, the mean of the middle two if their number is even: single wrong patches do not count
+  MINIMUM, ///< the smallest: the patches that see the feature count
+  MEDIAN   ///< the median, the mean of the middle two if their number is even: single wrong patches do not count
 };
 
 /// \ingroup PkgWireframeExtractionParameters
 /// What one unit of the coordinates is, for formats that say so. Coordinates are never converted.
 enum class Length_unit
 {
-  MICROMETER,  ///< 0.001 mm
-  MILLIMETER,  ///< 1 mm
-  CENTIMETER,  ///< 10 mm
-  METER,       ///< 1000 mm
-  INCH,        ///< 25.4 mm
-  FOOT         ///< 304.8 mm
+  MICROMETER, ///< 0.001 mm
+  MILLIMETER, ///< 1 mm
+  CENTIMETER, ///< 10 mm
+  METER,      ///< 1000 mm
+  INCH,       ///< 25.4 mm
+  FOOT        ///< 304.8 mm
 };
 
 /// \ingroup PkgWireframeExtractionParameters
 /// The application protocol of ISO 10303 that a STEP file follows.
 enum class Step_schema
 {
-  AP214,  ///< automotive design; what every program reads
-  AP242   ///< managed model-based 3D engineering, its successor
+  AP214, ///< automotive design; what every program reads
+  AP242  ///< managed model-based 3D engineering, its successor
 };
 
 } // namespace Wireframe_extraction

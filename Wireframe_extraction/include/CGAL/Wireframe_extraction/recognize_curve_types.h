@@ -46,7 +46,8 @@ std::vector<Vector> sample(const Wireframe_skeleton<GeomTraits>& skeleton, const
 {
   const auto range = curve.spline.parameter_range();
   std::vector<Vector> positions;
-  for (std::size_t k = 0; k <= count; ++k) {
+  for (std::size_t k = 0; k <= count; ++k)
+  {
     const typename GeomTraits::FT share(double(k) / double(count));
     positions.push_back(skeleton.to_local(curve.spline.point(range.first + share * (range.second - range.first))));
   }
@@ -83,23 +84,21 @@ Untyped_curve untyped(const Wireframe_skeleton<GeomTraits>& skeleton, const Wire
 inline std::vector<std::string> texts(const std::vector<Regularity>& regularities)
 {
   std::map<std::pair<Regularity_kind, std::size_t>, std::string> groups;
-  for (const Regularity& regularity : regularities) {
+  for (const Regularity& regularity : regularities)
+  {
     std::string& group = groups[{regularity.kind, regularity.curves[0]}];
-    group += (group.empty() ? std::to_string(regularity.curves[0]) + ", " : ", ") + std::to_string(regularity.curves[1]);
+    group +=
+      (group.empty() ? std::to_string(regularity.curves[0]) + ", " : ", ") + std::to_string(regularity.curves[1]);
   }
   std::vector<std::string> result;
-  for (const auto& group : groups) {
+  for (const auto& group : groups)
+  {
     const std::string first = std::to_string(group.first.second), list = group.second;
-    switch (group.first.first) {
-    case Regularity_kind::EQUAL_RADII:
-      result.push_back("equal radii: curves " + list);
-      break;
-    case Regularity_kind::COAXIAL:
-      result.push_back("coaxial: curves " + list);
-      break;
-    case Regularity_kind::PARALLEL:
-      result.push_back("parallel: curves " + list);
-      break;
+    switch (group.first.first)
+    {
+    case Regularity_kind::EQUAL_RADII: result.push_back("equal radii: curves " + list); break;
+    case Regularity_kind::COAXIAL: result.push_back("coaxial: curves " + list); break;
+    case Regularity_kind::PARALLEL: result.push_back("parallel: curves " + list); break;
     case Regularity_kind::ORTHOGONAL:
       result.push_back("orthogonal to curve " + first + ": curves " + list.substr(first.size() + 2));
     }
@@ -112,7 +111,8 @@ inline bool passes_through_vertex(const Untyped_curve& curve, std::size_t degree
 {
   const std::vector<Vector>& p = curve.polyline;
   const Vector start = p[1] - p[0], end = p[p.size() - 1] - p[p.size() - 2];
-  return curve.is_loop() && degree == 2 && start.dot(end) > std::cos(smooth_angle * CGAL_PI / 180.) * start.norm() * end.norm();
+  return curve.is_loop() && degree == 2
+    && start.dot(end) > std::cos(smooth_angle * CGAL_PI / 180.) * start.norm() * end.norm();
 }
 
 template <class GeomTraits>
@@ -131,10 +131,11 @@ Wireframe<GeomTraits> recognize(const Wireframe_skeleton<GeomTraits>& skeleton, 
       for (const std::size_t v : curve.vertices)
         ++degrees[v];
   for (Untyped_curve& curve : curves)
-    if (!curve.is_closed_without_vertex() && passes_through_vertex(curve, degrees[curve.vertices[0]], options.smooth_angle))
+    if (!curve.is_closed_without_vertex()
+        && passes_through_vertex(curve, degrees[curve.vertices[0]], options.smooth_angle))
       curve.vertices = {{Untyped_curve::no_vertex, Untyped_curve::no_vertex}};
-  Curve_type_recognizer recognizer(skeleton.band(), noise_of(skeleton, options), options.support_distance, options.type_significance,
-                                   options.regularize, vertices, curves);
+  Curve_type_recognizer recognizer(skeleton.band(), noise_of(skeleton, options), options.support_distance,
+                                   options.type_significance, options.regularize, vertices, curves);
   std::vector<Typed_piece> pieces = recognizer.run();
   regularities = texts(recognizer.regularities());
   for (Typed_piece& piece : pieces)
@@ -147,7 +148,8 @@ Wireframe<GeomTraits> recognize(const Wireframe_skeleton<GeomTraits>& skeleton, 
   Wireframe<GeomTraits> result;
   result.sampling_distance = wireframe.sampling_distance;
   const auto keep = [&](std::size_t v) {
-    if (new_index[v] == Typed_piece::no_vertex) {
+    if (new_index[v] == Typed_piece::no_vertex)
+    {
       new_index[v] = kept.size();
       kept.push_back(recognizer.vertices()[v]);
       const bool is_untouched = v < vertices.size() && recognizer.vertices()[v] == vertices[v];
@@ -248,17 +250,18 @@ may be cut is bounded.
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTraits,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
-[[nodiscard]] Wireframe<GeomTraits> recognize_curve_types(const Wireframe_skeleton<GeomTraits>& skeleton,
-                                            const Wireframe<GeomTraits>& wireframe,
-                                            const NamedParameters& np = CGAL::parameters::default_values())
+[[nodiscard]] Wireframe<GeomTraits> recognize_curve_types(
+  const Wireframe_skeleton<GeomTraits>& skeleton, const Wireframe<GeomTraits>& wireframe,
+  const NamedParameters& np = CGAL::parameters::default_values())
 {
   Wireframe_extraction_report own_report;
-  Wireframe_extraction_report& report = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, internal_np::extraction_report), std::ref(own_report)).get();
+  Wireframe_extraction_report& report =
+    CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::extraction_report),
+                                       std::ref(own_report))
+      .get();
   const internal::Extraction_options options = internal::extraction_options(np);
-  return internal::run_concurrently<ConcurrencyTag>([&] {
-    return internal::recognize(skeleton, wireframe, options, report.regularities);
-  });
+  return internal::run_concurrently<ConcurrencyTag>(
+    [&] { return internal::recognize(skeleton, wireframe, options, report.regularities); });
 }
 
 } // namespace Wireframe_extraction

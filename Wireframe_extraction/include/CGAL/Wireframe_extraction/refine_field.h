@@ -45,7 +45,8 @@ inline std::shared_ptr<Field_band> refined_band(const Field_band& surroundings, 
     return nullptr;
   const double widest = (std::max)(options.skeleton_distance, options.support_distance);
   auto band = std::make_shared<Field_band>();
-  for (std::size_t i = 0; i < surroundings.size(); ++i) {
+  for (std::size_t i = 0; i < surroundings.size(); ++i)
+  {
     if (!(distances[i] < widest))
       continue;
     band->points.push_back(surroundings.points[i]);
@@ -73,8 +74,7 @@ bool refine(Wireframe_skeleton<GeomTraits>& skeleton, const Extraction_options& 
   Field_refinement refinement(skeleton.surroundings(), skeleton.contraction(), options.fitting_radius);
   if (!refinement.run(part(0., 0.8)))
     return false;
-  const std::shared_ptr<Field_band> band
-    = refined_band(skeleton.surroundings(), refinement, options, part(0.8, 0.9));
+  const std::shared_ptr<Field_band> band = refined_band(skeleton.surroundings(), refinement, options, part(0.8, 0.9));
   if (!band)
     return false;
   auto contraction = std::make_shared<Contraction>();

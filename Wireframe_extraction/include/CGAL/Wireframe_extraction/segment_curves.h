@@ -80,19 +80,19 @@ first points.
 Complexity: O(n log n + n k) for n points with k neighbors each.
 */
 template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_named_parameters>
-[[nodiscard]] std::vector<std::vector<std::size_t> >
-segment_curves(const Wireframe_skeleton<GeomTraits>& skeleton,
-               const std::vector<Wireframe_corner<GeomTraits> >& corners,
-               const NamedParameters& np = CGAL::parameters::default_values())
+[[nodiscard]] std::vector<std::vector<std::size_t>> segment_curves(
+  const Wireframe_skeleton<GeomTraits>& skeleton, const std::vector<Wireframe_corner<GeomTraits>>& corners,
+  const NamedParameters& np = CGAL::parameters::default_values())
 {
-  std::vector<std::vector<std::size_t> > clusters;
+  std::vector<std::vector<std::size_t>> clusters;
   if (skeleton.is_empty())
     return clusters;
   const internal::Extraction_options options = internal::extraction_options(np);
   const internal::Field_band& band = skeleton.band();
   std::vector<char> is_in_corner(skeleton.size(), 0);
   for (const Wireframe_corner<GeomTraits>& corner : corners)
-    for (std::size_t i : corner.members) {
+    for (std::size_t i : corner.members)
+    {
       CGAL_precondition(i < skeleton.size());
       is_in_corner[i] = 1;
     }
@@ -110,7 +110,8 @@ segment_curves(const Wireframe_skeleton<GeomTraits>& skeleton,
   for (std::size_t i = 0; i < positions.size(); ++i)
     components.make_set(i);
   std::vector<std::size_t> ball;
-  for (std::size_t i = 0; i < positions.size(); ++i) {
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
     if (is_in_corner[i])
       continue;
     search.query(positions[i], options.connection_radius, ball);
@@ -123,11 +124,13 @@ segment_curves(const Wireframe_skeleton<GeomTraits>& skeleton,
   }
   const std::size_t none = skeleton.size();
   std::vector<std::size_t> cluster_of_component(skeleton.size(), none);
-  for (std::size_t i = 0; i < positions.size(); ++i) {
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
     if (is_in_corner[i])
       continue;
     std::size_t& cluster = cluster_of_component[components.find_set(i)];
-    if (cluster == none) {
+    if (cluster == none)
+    {
       cluster = clusters.size();
       clusters.emplace_back();
     }

@@ -53,7 +53,8 @@ inline std::size_t sort_band(Field_band& band)
   for (std::size_t i : order)
     positions.push_back(band.points[i]);
   Field_band sorted;
-  for (std::size_t k : different_positions(positions)) {
+  for (std::size_t k : different_positions(positions))
+  {
     sorted.points.push_back(positions[k]);
     sorted.distances.push_back(band.distances[order[k]]);
     sorted.indices.push_back(band.indices[order[k]]);
@@ -70,8 +71,8 @@ inline std::size_t sort_band(Field_band& band)
 inline std::size_t complete_band(Field_band& band, double skeleton_distance)
 {
   const std::size_t duplicates = sort_band(band);
-  band.skeleton_size = std::lower_bound(band.distances.begin(), band.distances.end(), skeleton_distance)
-    - band.distances.begin();
+  band.skeleton_size =
+    std::lower_bound(band.distances.begin(), band.distances.end(), skeleton_distance) - band.distances.begin();
   band.search.build(band.points, band.size());
   return duplicates;
 }
@@ -112,7 +113,8 @@ inline std::size_t localize(Field_band& band, double unit, Vector& origin)
   origin = median_position(band.points);
   Vector mean = Vector::Zero();
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < band.size(); ++i) {
+  for (std::size_t i = 0; i < band.size(); ++i)
+  {
     const Vector p = (band.points[i] - origin) / unit;
     if (!(p.cwiseAbs().maxCoeff() < farthest_in_units))
       continue;
@@ -135,13 +137,14 @@ inline std::size_t localize(Field_band& band, double unit, Vector& origin)
 
 // `cloud.for_each(f)` calls `f(position, distance, index)` for every point
 template <class Cloud, class GeomTraits>
-Wireframe_skeleton<GeomTraits> select_skeleton(const Cloud& cloud, double unit,
-                                               const Extraction_options& options, const GeomTraits& traits)
+Wireframe_skeleton<GeomTraits> select_skeleton(const Cloud& cloud, double unit, const Extraction_options& options,
+                                               const GeomTraits& traits)
 {
   auto band = std::make_shared<Field_band>();
   Vector origin = Vector::Zero();
   std::size_t duplicates = 0, strays = 0;
-  if (unit > 0.) {
+  if (unit > 0.)
+  {
     const double widest = unit * (std::max)(options.skeleton_distance, options.support_distance);
     cloud.for_each([&](const Vector& position, double distance, std::size_t index) {
       if (!(distance < widest))
@@ -250,22 +253,20 @@ Complexity: O(n) for n points and O(m log m) for the m points kept, after the es
 */
 template <class PointRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
 #ifdef DOXYGEN_RUNNING
-[[nodiscard]]
-Wireframe_skeleton<GeomTraits>
+[[nodiscard]] Wireframe_skeleton<GeomTraits>
 #else
-[[nodiscard]]
-Wireframe_skeleton<typename internal::Cloud_access<PointRange, NamedParameters>::Geom_traits>
+[[nodiscard]] Wireframe_skeleton<typename internal::Cloud_access<PointRange, NamedParameters>::Geom_traits>
 #endif
 select_skeleton(const PointRange& points, const NamedParameters& np = CGAL::parameters::default_values())
 {
   static_assert(internal::Cloud_access<PointRange, NamedParameters>::has_distances,
                 "pass the distances of the points to features with the named parameter distance_map()");
   const internal::Cloud_access<PointRange, NamedParameters> access(np);
-  internal::Range_source<PointRange, internal::Cloud_access<PointRange, NamedParameters> > source(points, access);
+  internal::Range_source<PointRange, internal::Cloud_access<PointRange, NamedParameters>> source(points, access);
   internal::Surveyed_cloud cloud(source, internal::points_in_memory(np));
   cloud.survey();
-  double unit = CGAL::to_double(CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, internal_np::sampling_distance), 0.));
+  double unit = CGAL::to_double(
+    CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::sampling_distance), 0.));
   if (!(unit > 0.))
     unit = cloud.scale().sampling_distance;
   const internal::Extraction_options options = internal::extraction_options(np);

@@ -28,7 +28,7 @@
 
 namespace Case_maker {
 
-using namespace Sample_solids;   // its operators on points, above all
+using namespace Sample_solids; // its operators on points, above all
 
 typedef std::array<std::uint32_t, 3> Triangle;
 
@@ -37,7 +37,7 @@ struct Labelled_mesh
 {
   std::vector<Point> points;
   std::vector<Triangle> triangles;
-  std::vector<std::uint32_t> patches;   ///< per triangle
+  std::vector<std::uint32_t> patches; ///< per triangle
 
   double area_of(std::size_t triangle) const
   {
@@ -57,15 +57,15 @@ struct Labelled_mesh
 /// A shape with its sharp curves, and which of them a point of each patch sees.
 struct Annotated_shape
 {
-  Solid edges;          ///< the vertices and the sharp curves; it has no faces
+  Solid edges; ///< the vertices and the sharp curves; it has no faces
   Labelled_mesh mesh;
-  std::vector<std::vector<std::size_t> > curves_of_patches;   ///< the sharp curves that bound a patch
-  std::vector<std::vector<std::size_t> > adjacent_patches;    ///< those that share an edge with a patch
+  std::vector<std::vector<std::size_t>> curves_of_patches; ///< the sharp curves that bound a patch
+  std::vector<std::vector<std::size_t>> adjacent_patches;  ///< those that share an edge with a patch
 
   /// moves a point of a triangle to the true surface; empty if the mesh is the surface
   std::function<Point(const Labelled_mesh& mesh, std::size_t triangle, const Point& p)> move_to_surface;
 
-  std::string remarks;                 ///< of who made it, for who uses it
+  std::string remarks; ///< of who made it, for who uses it
 };
 
 /// decides which of the curves that begin where they end are closed curves without a vertex: those that pass
@@ -93,7 +93,7 @@ public:
   struct Tile
   {
     std::uint32_t piece, i, j;
-    bool is_flipped;   ///< its corners are (i+1, j+1), (i, j+1), (i+1, j) if so, else (i, j), (i+1, j), (i, j+1)
+    bool is_flipped; ///< its corners are (i+1, j+1), (i, j+1), (i+1, j) if so, else (i, j), (i+1, j), (i, j+1)
   };
 
   explicit Mesh_tiling(const Labelled_mesh& mesh_) : mesh(mesh_) {}
@@ -157,7 +157,7 @@ public:
   {
     const std::uint32_t f = tile.is_flipped ? 1 : 0, i = 2 * tile.i + f, j = 2 * tile.j + f;
     if (k == 3)
-      return {tile.piece, i, j, !tile.is_flipped};   // the middle one
+      return {tile.piece, i, j, !tile.is_flipped}; // the middle one
     if (!tile.is_flipped)
       return {tile.piece, i + k % 2, j + k / 2, false};
     return {tile.piece, i - k % 2, j - k / 2, true};
@@ -168,18 +168,18 @@ public:
 private:
   struct Piece
   {
-    Point corner, u, v;       ///< a corner and the sides from there
+    Point corner, u, v; ///< a corner and the sides from there
     std::uint32_t triangle;
-    double rows;              ///< of the grid on the present level
-    double weight;            ///< of one tile relative to the heaviest: how likely a dart may hit it
-    double extent;            ///< largest distance of a corner to the centre
+    double rows;   ///< of the grid on the present level
+    double weight; ///< of one tile relative to the heaviest: how likely a dart may hit it
+    double extent; ///< largest distance of a corner to the centre
   };
 
   /// adds a triangle, in parts if it is thin.
   void add_pieces(const Point& a, const Point& b, const Point& c, std::uint32_t triangle, double side)
   {
     const double ab = distance(a, b), bc = distance(b, c), ca = distance(c, a);
-    if (ab < bc || ab < ca)   // ab is to be the longest side
+    if (ab < bc || ab < ca) // ab is to be the longest side
     {
       if (bc >= ca)
         add_pieces(b, c, a, triangle, side);
@@ -196,7 +196,7 @@ private:
       add_piece(a, b, c, triangle, side);
       return;
     }
-    const double foot = dot(c - a, b - a) / ab;   // of the height, on ab
+    const double foot = dot(c - a, b - a) / ab; // of the height, on ab
     if (foot > height && ab - foot > height)
     {
       const Point d = a + (foot / ab) * (b - a);
@@ -259,7 +259,7 @@ private:
 struct Case_sampling
 {
   double sampling_distance = 0.02;
-  double truncation = 50;   ///< upper bound of the field, in sampling distances
+  double truncation = 50; ///< upper bound of the field, in sampling distances
   Field_scope scope = Field_scope::ADJACENT;
   std::uint64_t seed = 1;
 };

@@ -18,7 +18,14 @@
 namespace Case_maker {
 
 /// Exit codes of the programs that make cases, those of all programs of this project.
-enum Exit_code { SUCCESS = 0, INTERNAL_ERROR = 1, USAGE_ERROR = 2, BAD_INPUT = 3, NO_SHARP_CURVE = 4 };
+enum Exit_code
+{
+  SUCCESS = 0,
+  INTERNAL_ERROR = 1,
+  USAGE_ERROR = 2,
+  BAD_INPUT = 3,
+  NO_SHARP_CURVE = 4
+};
 
 /// Why a case cannot be made, in words for who asked for it.
 class Case_error : public std::runtime_error

@@ -42,7 +42,7 @@ struct Case_job
 {
   std::string name;
   std::vector<std::string> files;
-  std::string problem;   ///< why it cannot be made; empty if it can
+  std::string problem; ///< why it cannot be made; empty if it can
 };
 
 /// The part that programs which make cases have in common: options, writing, and going through many shapes.
@@ -54,40 +54,54 @@ public:
   /// says what is to be done, once the options are known
   typedef std::function<std::vector<Case_job>()> Job_maker;
 
-  Case_program(const std::string& name_, const std::string& description)
-    : name(name_), app(description, name_)
+  Case_program(const std::string& name_, const std::string& description) : name(name_), app(description, name_)
   {
     app.set_version_flag("--version", name + " " + WIREFRAME_EXTRACTION_VERSION_STRING);
     app.add_option("-o,--output", output, "directory in which each shape gets a directory of its own");
     app.add_option("--name", case_name, "name of the directory of a single shape; default: that of its file");
     app.add_option("--batch", batch, "make a case of every shape in this directory and those below");
     app.add_option("--r,--sampling-distance", rule.sampling_distance, "sampling distance, after scaling")
-      ->capture_default_str()->check(number_check());
-    app.add_option("--quantile", rule.quantile,
-                   "shapes are scaled by this quantile of the lengths of their sharp curves; 0 is the shortest "
-                   "curve, 1 the longest")
-      ->capture_default_str()->check(CLI::Range(0., 1.));
-    app.add_option("--quantile-length", rule.quantile_length,
-                   "how long the curves of this quantile become, in sampling distances")
-      ->capture_default_str()->check(number_check());
+      ->capture_default_str()
+      ->check(number_check());
+    app
+      .add_option("--quantile", rule.quantile,
+                  "shapes are scaled by this quantile of the lengths of their sharp curves; 0 is the shortest "
+                  "curve, 1 the longest")
+      ->capture_default_str()
+      ->check(CLI::Range(0., 1.));
+    app
+      .add_option("--quantile-length", rule.quantile_length,
+                  "how long the curves of this quantile become, in sampling distances")
+      ->capture_default_str()
+      ->check(number_check());
     app.add_option("--max-points", rule.max_points, "most points of a cloud")
-      ->capture_default_str()->check(CLI::Range(std::size_t(50), std::size_t(100000000)));
-    app.add_option("--too-many", too_many,
-                   "what becomes of shapes that need more points: they are made smaller, so that their curves "
-                   "become shorter, or left out")
-      ->capture_default_str()->check(CLI::IsMember({"coarsen", "skip"}));
+      ->capture_default_str()
+      ->check(CLI::Range(std::size_t(50), std::size_t(100000000)));
+    app
+      .add_option("--too-many", too_many,
+                  "what becomes of shapes that need more points: they are made smaller, so that their curves "
+                  "become shorter, or left out")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"coarsen", "skip"}));
     app.add_option("--truncate", sampling.truncation, "upper bound of the field, in sampling distances")
-      ->capture_default_str()->check(number_check());
-    app.add_option("--field-scope", scope,
-                   "which sharp curves count: those of the point's own surface and the surfaces adjacent to it, "
-                   "or all")
-      ->capture_default_str()->check(CLI::IsMember({"adjacent", "all"}));
+      ->capture_default_str()
+      ->check(number_check());
+    app
+      .add_option("--field-scope", scope,
+                  "which sharp curves count: those of the point's own surface and the surfaces adjacent to it, "
+                  "or all")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"adjacent", "all"}));
     app.add_option("--fields", fields, "the fields, separated by commas")
-      ->capture_default_str()->delimiter(',')->check(CLI::IsMember({"exact", "def", "noisy"}));
-    app.add_option("--position-noise", position_noise,
-                   "by how much the noisy field's points are moved: the standard deviation per coordinate, in "
-                   "sampling distances")
-      ->capture_default_str()->check(CLI::NonNegativeNumber);
+      ->capture_default_str()
+      ->delimiter(',')
+      ->check(CLI::IsMember({"exact", "def", "noisy"}));
+    app
+      .add_option("--position-noise", position_noise,
+                  "by how much the noisy field's points are moved: the standard deviation per coordinate, in "
+                  "sampling distances")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
     app.add_option("--seed", sampling.seed, "of the random numbers, a whole number")->capture_default_str();
     app.add_flag("--force", is_forced, "overwrite cases that exist");
     app.add_flag("--skip-existing", is_existing_skipped, "leave out cases that exist, to go on with a batch");
@@ -154,13 +168,13 @@ private:
       }
       catch (const Case_error& error)
       {
-        if (error.exit_code() == NO_SHARP_CURVE)   // such shapes there are, and nothing is wrong with them
+        if (error.exit_code() == NO_SHARP_CURVE) // such shapes there are, and nothing is wrong with them
         {
           std::cout << job.name << ": left out: " << error.what() << std::endl;
           ++skipped;
           continue;
         }
-        if (error.exit_code() == INTERNAL_ERROR)   // the disk is full: the others would fail, too
+        if (error.exit_code() == INTERNAL_ERROR) // the disk is full: the others would fail, too
           throw;
         std::cerr << name << ": " << job.name << ": " << error.what() << std::endl;
         ++failed;
@@ -186,8 +200,10 @@ private:
     {
       if (is_existing_skipped)
         throw Case_skipped("it exists");
-      throw Case_error(USAGE_ERROR, "'" + directory.string() + "' exists; --force overwrites it, "
-                                    "--skip-existing leaves it out");
+      throw Case_error(USAGE_ERROR,
+                       "'" + directory.string()
+                         + "' exists; --force overwrites it, "
+                           "--skip-existing leaves it out");
     }
     const Annotated_shape shape = make_shape(job, rule);
     std::error_code ignored;
@@ -198,16 +214,14 @@ private:
     write_case(directory, job.name, shape);
   }
 
-  void write_case(const std::filesystem::path& directory, const std::string& case_of,
-                  const Annotated_shape& shape)
+  void write_case(const std::filesystem::path& directory, const std::string& case_of, const Annotated_shape& shape)
   {
     Cloud exact = sample_exactly(shape, sampling);
     const double r = sampling.sampling_distance;
     const Ground_truth truth = ground_truth(shape.edges, r);
     std::ostringstream text;
-    text << case_of << ": " << exact.points.size() << " points, sampling distance " << r << ", "
-         << truth.curves.size() << " curves (" << truth.segments.size() << " segments), "
-         << truth.corners.size() << " corners";
+    text << case_of << ": " << exact.points.size() << " points, sampling distance " << r << ", " << truth.curves.size()
+         << " curves (" << truth.segments.size() << " segments), " << truth.corners.size() << " corners";
     if (!shape.remarks.empty())
       text << "; " << shape.remarks;
     std::cout << text.str() << std::endl;
@@ -218,10 +232,8 @@ private:
       disturb(cloud, kind, kind == Field_kind::NOISY ? position_noise : 0., sampling.seed);
       write(directory / (field + ".ply"), [&](std::ostream& out) { return write_ply(out, cloud); });
     }
-    write(directory / "truth.json", [&](std::ostream& out)
-    {
-      return write_truth(out, truth, case_of, exact.points.size());
-    });
+    write(directory / "truth.json",
+          [&](std::ostream& out) { return write_truth(out, truth, case_of, exact.points.size()); });
   }
 
   template <class Writer>
@@ -262,8 +274,7 @@ private:
 };
 
 /// returns the files below a directory whose names end in one of the given ways, sorted.
-inline std::vector<std::string> files_below(const std::string& directory,
-                                            const std::vector<std::string>& endings)
+inline std::vector<std::string> files_below(const std::string& directory, const std::vector<std::string>& endings)
 {
   namespace fs = std::filesystem;
   std::vector<std::string> result;
@@ -286,8 +297,8 @@ inline void mark_duplicates(std::vector<Case_job>& jobs)
   for (std::size_t i = 0; i < jobs.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (jobs[i].name == jobs[j].name && jobs[i].problem.empty())
-        jobs[i].problem = "'" + jobs[i].files.front() + "' would get the same directory as '"
-                          + jobs[j].files.front() + "'; rename one";
+        jobs[i].problem =
+          "'" + jobs[i].files.front() + "' would get the same directory as '" + jobs[j].files.front() + "'; rename one";
 }
 
 } // namespace Case_maker

@@ -28,10 +28,10 @@ namespace Case_maker {
 struct Scale_rule
 {
   double sampling_distance = 0.02;
-  double quantile = 0.25;          ///< the curves of this quantile of the lengths
-  double quantile_length = 50;     ///< become so long, in sampling distances
+  double quantile = 0.25;      ///< the curves of this quantile of the lengths
+  double quantile_length = 50; ///< become so long, in sampling distances
   std::size_t max_points = 2000000;
-  bool is_coarsened = true;        ///< whether shapes that need more points are made smaller, or left out
+  bool is_coarsened = true; ///< whether shapes that need more points are made smaller, or left out
 };
 
 /// returns a quantile, between two values by linear interpolation.
@@ -55,8 +55,10 @@ inline double choose_scale(const std::vector<double>& lengths, double area, cons
     throw Case_error(NO_SHARP_CURVE, "the shape has no sharp curve, and nothing else tells how to scale it");
   const double length = quantile_of(lengths, rule.quantile);
   if (!(length > 0) || !(area > 0) || !std::isfinite(length) || !std::isfinite(area))
-    throw bad_input("the shape has no extent: its area is " + std::to_string(area) + ", the quantile of its "
-                    "curves' lengths " + std::to_string(length));
+    throw bad_input("the shape has no extent: its area is " + std::to_string(area)
+                    + ", the quantile of its "
+                      "curves' lengths "
+                    + std::to_string(length));
   const double scale = rule.quantile_length * rule.sampling_distance / length;
   const double per_area = Sample_solids::density / (rule.sampling_distance * rule.sampling_distance);
   const double points = per_area * area * scale * scale;

@@ -22,14 +22,15 @@ namespace Case_maker {
 /// returns a check of a length on the command line; CLI11's own ones let through what is not a number, and infinities.
 inline CLI::Validator number_check(bool is_zero_allowed = false)
 {
-  return CLI::Validator([is_zero_allowed](std::string& text)
-  {
-    double x = 0;
-    const bool is_number = CLI::detail::lexical_cast(text, x) && std::isfinite(x);
-    if (is_number && (x > 0 || (is_zero_allowed && x == 0)))
-      return std::string();
-    return "'" + text + "' is not a " + (is_zero_allowed ? "number of 0 or more" : "positive number");
-  }, "");
+  return CLI::Validator(
+    [is_zero_allowed](std::string& text) {
+      double x = 0;
+      const bool is_number = CLI::detail::lexical_cast(text, x) && std::isfinite(x);
+      if (is_number && (x > 0 || (is_zero_allowed && x == 0)))
+        return std::string();
+      return "'" + text + "' is not a " + (is_zero_allowed ? "number of 0 or more" : "positive number");
+    },
+    "");
 }
 
 } // namespace Case_maker

@@ -29,19 +29,19 @@ namespace Case_maker {
 /// A curve of the ABC dataset.
 struct Abc_curve
 {
-  std::size_t line = 0;   ///< of the file
+  std::size_t line = 0; ///< of the file
   std::string type;
   bool is_sharp = false;
   bool has_sharp = false;
-  std::vector<std::uint32_t> vertices;   ///< of the mesh, in their order along the curve
+  std::vector<std::uint32_t> vertices; ///< of the mesh, in their order along the curve
 };
 
 /// A surface of the ABC dataset.
 struct Abc_surface
 {
-  std::size_t line = 0;   ///< of the file
+  std::size_t line = 0; ///< of the file
   std::string type;
-  std::vector<std::uint32_t> faces;      ///< of the mesh
+  std::vector<std::uint32_t> faces; ///< of the mesh
 };
 
 struct Abc_features
@@ -79,16 +79,14 @@ public:
       value(mark, text);
   }
 
-  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                       YAML::EmitterStyle::value) override
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override
   {
     frames.push_back(Frame{false, false, ""});
   }
 
   void OnSequenceEnd() override { close(); }
 
-  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t,
-                  YAML::EmitterStyle::value) override
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override
   {
     frames.push_back(Frame{true, false, ""});
     if (frames.size() != 3 || !frames[0].is_map || frames[1].is_map)
@@ -140,8 +138,7 @@ private:
       frames.back().has_key = false;
   }
 
-  void set(Abc_curve& curve, const std::string& name, bool is_of_list, const YAML::Mark& mark,
-           const std::string& text)
+  void set(Abc_curve& curve, const std::string& name, bool is_of_list, const YAML::Mark& mark, const std::string& text)
   {
     if (name == "vert_indices")
       curve.vertices.push_back(index(name, is_of_list, mark, text));
@@ -165,14 +162,13 @@ private:
       surface.type = text;
   }
 
-  std::uint32_t index(const std::string& name, bool is_of_list, const YAML::Mark& mark,
-                      const std::string& text) const
+  std::uint32_t index(const std::string& name, bool is_of_list, const YAML::Mark& mark, const std::string& text) const
   {
-    const bool is_whole = !text.empty() && text.size() < 10
-                          && text.find_first_not_of("0123456789") == std::string::npos;
+    const bool is_whole =
+      !text.empty() && text.size() < 10 && text.find_first_not_of("0123456789") == std::string::npos;
     if (!is_of_list || !is_whole)
-      throw bad_input(path, line_of(mark), "'" + name + "' is a list of whole numbers, counted from 0, not '"
-                      + text + "'");
+      throw bad_input(path, line_of(mark),
+                      "'" + name + "' is a list of whole numbers, counted from 0, not '" + text + "'");
     return static_cast<std::uint32_t>(std::stoul(text));
   }
 
@@ -200,12 +196,13 @@ inline Abc_features read_abc_features(const std::string& path)
                     "this is not YAML: " + error.msg + "; is the file complete?");
   }
   if (result.surfaces.empty())
-    throw bad_input("'" + path + "' has no list 'surfaces' of maps; is it a feature file of the ABC "
-                    "dataset?");
+    throw bad_input("'" + path
+                    + "' has no list 'surfaces' of maps; is it a feature file of the ABC "
+                      "dataset?");
   for (std::size_t i = 0; i < result.curves.size(); ++i)
     if (!result.curves[i].has_sharp)
-      throw bad_input(path, result.curves[i].line, "curve " + std::to_string(i)
-                      + " does not say whether it is 'sharp'");
+      throw bad_input(path, result.curves[i].line,
+                      "curve " + std::to_string(i) + " does not say whether it is 'sharp'");
   return result;
 }
 

@@ -76,19 +76,21 @@ private:
       for (std::uint32_t face : features.surfaces[i].faces)
       {
         if (face >= patches.size())
-          fail(features.surfaces[i].line, "surface " + std::to_string(i) + " has the face "
-               + std::to_string(face) + ", but '" + mesh_path + "' has " + std::to_string(patches.size())
-               + " faces, counted from 0; do the two files belong together?");
+          fail(features.surfaces[i].line,
+               "surface " + std::to_string(i) + " has the face " + std::to_string(face) + ", but '" + mesh_path
+                 + "' has " + std::to_string(patches.size())
+                 + " faces, counted from 0; do the two files belong together?");
         if (patches[face] != none && patches[face] != i)
-          fail(features.surfaces[i].line, "face " + std::to_string(face) + " belongs to the surfaces "
-               + std::to_string(patches[face]) + " and " + std::to_string(i));
+          fail(features.surfaces[i].line,
+               "face " + std::to_string(face) + " belongs to the surfaces " + std::to_string(patches[face]) + " and "
+                 + std::to_string(i));
         patches[face] = static_cast<std::uint32_t>(i);
       }
     for (std::size_t i = 0; i < patches.size(); ++i)
       if (patches[i] == none && shape.mesh.area_of(i) > 0)
         throw bad_input("face " + std::to_string(i) + " of '" + mesh_path + "' belongs to no surface of '"
                         + features_path + "'; do the two files belong together?");
-    std::replace(patches.begin(), patches.end(), none, std::uint32_t(0));   // these have no points
+    std::replace(patches.begin(), patches.end(), none, std::uint32_t(0)); // these have no points
   }
 
   void collect_mesh_edges()
@@ -100,7 +102,7 @@ private:
         mesh_edges.push_back({(std::min)(a, b), (std::max)(a, b), shape.mesh.patches[i]});
       }
     std::sort(mesh_edges.begin(), mesh_edges.end());
-    std::vector<std::set<std::size_t> > neighbors(features.surfaces.size());
+    std::vector<std::set<std::size_t>> neighbors(features.surfaces.size());
     for (std::size_t i = 0, j = 0; i < mesh_edges.size(); i = j)
       for (j = i; j < mesh_edges.size() && is_same(mesh_edges[i], mesh_edges[j]); ++j)
         for (std::size_t k = i; k < j; ++k)
@@ -118,7 +120,7 @@ private:
   /// takes the sharp curves; once those that are there twice, and not those that are a point only.
   void select_curves()
   {
-    std::set<std::vector<std::uint32_t> > known;
+    std::set<std::vector<std::uint32_t>> known;
     for (std::size_t i = 0; i < features.curves.size(); ++i)
     {
       Abc_curve& curve = features.curves[i];
@@ -126,11 +128,11 @@ private:
         continue;
       for (std::uint32_t v : curve.vertices)
         if (v >= shape.mesh.points.size())
-          fail(curve.line, "curve " + std::to_string(i) + " has the vertex " + std::to_string(v) + ", but '"
-               + mesh_path + "' has " + std::to_string(shape.mesh.points.size())
-               + " vertices, counted from 0; do the two files belong together?");
-      const auto is_at_same_place = [this](std::uint32_t a, std::uint32_t b)
-      {
+          fail(curve.line,
+               "curve " + std::to_string(i) + " has the vertex " + std::to_string(v) + ", but '" + mesh_path + "' has "
+                 + std::to_string(shape.mesh.points.size())
+                 + " vertices, counted from 0; do the two files belong together?");
+      const auto is_at_same_place = [this](std::uint32_t a, std::uint32_t b) {
         return a == b || shape.mesh.points[a] == shape.mesh.points[b];
       };
       curve.vertices.erase(std::unique(curve.vertices.begin(), curve.vertices.end(), is_at_same_place),
@@ -153,7 +155,7 @@ private:
 
   void add_curves()
   {
-    std::vector<std::set<std::size_t> > curves_of_patches(features.surfaces.size());
+    std::vector<std::set<std::size_t>> curves_of_patches(features.surfaces.size());
     for (const Abc_curve* from : selected)
     {
       Curve curve;
@@ -202,9 +204,10 @@ private:
          i != mesh_edges.end() && is_same(*i, edge); ++i)
       result.push_back(i->patch);
     if (result.empty())
-      fail(curve.line, "curve " + std::to_string(&curve - features.curves.data()) + " goes from vertex "
-           + std::to_string(a) + " to vertex " + std::to_string(b) + " (counted from 0), which no edge of '"
-           + mesh_path + "' joins; do the two files belong together?");
+      fail(curve.line,
+           "curve " + std::to_string(&curve - features.curves.data()) + " goes from vertex " + std::to_string(a)
+             + " to vertex " + std::to_string(b) + " (counted from 0), which no edge of '" + mesh_path
+             + "' joins; do the two files belong together?");
     return result;
   }
 
@@ -216,9 +219,9 @@ private:
   std::string mesh_path, features_path;
   Abc_features features;
   Annotated_shape shape;
-  std::vector<const Abc_curve*> selected;          ///< the sharp curves
-  std::vector<Mesh_edge> mesh_edges;               ///< sorted
-  std::map<std::uint32_t, std::size_t> vertices;   ///< from those of the mesh
+  std::vector<const Abc_curve*> selected;        ///< the sharp curves
+  std::vector<Mesh_edge> mesh_edges;             ///< sorted
+  std::map<std::uint32_t, std::size_t> vertices; ///< from those of the mesh
 };
 
 } // namespace internal

@@ -48,7 +48,7 @@ public:
   Labelled_mesh mesh()
   {
     Labelled_mesh result;
-    std::vector<std::size_t> lines;   // of the triangles
+    std::vector<std::size_t> lines; // of the triangles
     const char* p = text.c_str();
     const char* const end = p + text.size();
     for (line = 1; p < end; ++line)
@@ -69,8 +69,9 @@ public:
     for (std::size_t i = 0; i < result.triangles.size(); ++i)
       for (std::uint32_t v : result.triangles[i])
         if (v >= result.points.size())
-          throw bad_input(path, lines[i], "vertex " + std::to_string(v + 1) + " does not exist; there are "
-                          + std::to_string(result.points.size()));
+          throw bad_input(path, lines[i],
+                          "vertex " + std::to_string(v + 1) + " does not exist; there are "
+                            + std::to_string(result.points.size()));
     if (result.triangles.empty())
       throw bad_input("'" + path + "' has no faces; is it a mesh in OBJ format?");
     return result;
@@ -121,8 +122,10 @@ private:
         ++p;
     }
     if (n != 3)
-      throw bad_input(path, line, "the face has " + std::to_string(n) + " vertices; triangulate the mesh, "
-                      "without changing the order of its faces");
+      throw bad_input(path, line,
+                      "the face has " + std::to_string(n)
+                        + " vertices; triangulate the mesh, "
+                          "without changing the order of its faces");
     return result;
   }
 

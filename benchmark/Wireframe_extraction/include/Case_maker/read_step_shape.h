@@ -62,8 +62,8 @@ namespace Case_maker {
 
 struct Step_options
 {
-  double sharp_angle = 20;   ///< degrees between the normals of two faces from which on their edge is sharp
-  double sewing = 0;         ///< edges closer than this become one, in the unit of the file; 0: none
+  double sharp_angle = 20; ///< degrees between the normals of two faces from which on their edge is sharp
+  double sewing = 0;       ///< edges closer than this become one, in the unit of the file; 0: none
 };
 
 namespace internal {
@@ -71,10 +71,10 @@ namespace internal {
 /// The true surfaces below the triangles of a mesh.
 struct Step_surfaces
 {
-  std::vector<GeomAdaptor_Surface> surfaces;       ///< per patch
-  std::vector<Point_2> parameters;                 ///< per point of the mesh
+  std::vector<GeomAdaptor_Surface> surfaces; ///< per patch
+  std::vector<Point_2> parameters;           ///< per point of the mesh
   double scale = 1;
-  double largest_move = 0;   ///< what would move farther stays: near a pole parameters mean little
+  double largest_move = 0; ///< what would move farther stays: near a pole parameters mean little
 
   Point moved(const Labelled_mesh& mesh, std::size_t triangle, const Point& p) const
   {
@@ -121,15 +121,12 @@ public:
   }
 
 private:
-  std::size_t patch_of(const TopoDS_Shape& face) const
-  {
-    return static_cast<std::size_t>(faces.FindIndex(face)) - 1;
-  }
+  std::size_t patch_of(const TopoDS_Shape& face) const { return static_cast<std::size_t>(faces.FindIndex(face)) - 1; }
 
   /// finds the sharp edges, and which faces are adjacent.
   void select_edges()
   {
-    std::vector<std::set<std::size_t> > neighbors(static_cast<std::size_t>(faces.Extent()));
+    std::vector<std::set<std::size_t>> neighbors(static_cast<std::size_t>(faces.Extent()));
     for (int i = 1; i <= faces_of_edges.Extent(); ++i)
     {
       const TopoDS_Edge edge = TopoDS::Edge(faces_of_edges.FindKey(i).Oriented(TopAbs_FORWARD));
@@ -242,22 +239,20 @@ private:
       const bool is_loop = curve.source == curve.target;
       switch (adaptor.GetType())
       {
-        case GeomAbs_Line:
-          curve.kind = Curve_kind::LINE;
-          curve.start = scaled(adaptor.Value(first));
-          curve.end = scaled(adaptor.Value(last));
-          break;
-        case GeomAbs_Circle:
-          curve.kind = is_loop ? Curve_kind::CIRCLE : Curve_kind::ARC;
-          set_circle(adaptor.Circle(), first, last, curve);
-          break;
-        case GeomAbs_Ellipse:
-          curve.kind = is_loop ? Curve_kind::ELLIPSE : Curve_kind::ELLIPTIC_ARC;
-          set_polyline(adaptor, 0.1 * sampling_distance, curve);
-          break;
-        default:
-          curve.kind = Curve_kind::SPLINE;
-          set_polyline(adaptor, 0.1 * sampling_distance, curve);
+      case GeomAbs_Line:
+        curve.kind = Curve_kind::LINE;
+        curve.start = scaled(adaptor.Value(first));
+        curve.end = scaled(adaptor.Value(last));
+        break;
+      case GeomAbs_Circle:
+        curve.kind = is_loop ? Curve_kind::CIRCLE : Curve_kind::ARC;
+        set_circle(adaptor.Circle(), first, last, curve);
+        break;
+      case GeomAbs_Ellipse:
+        curve.kind = is_loop ? Curve_kind::ELLIPSE : Curve_kind::ELLIPTIC_ARC;
+        set_polyline(adaptor, 0.1 * sampling_distance, curve);
+        break;
+      default: curve.kind = Curve_kind::SPLINE; set_polyline(adaptor, 0.1 * sampling_distance, curve);
       }
       for (std::size_t patch : patches_of_edges[i])
         shape.curves_of_patches[patch].push_back(i);
@@ -269,7 +264,7 @@ private:
   std::size_t vertex(TopTools_IndexedMapOfShape& vertices, const TopoDS_Vertex& v, const gp_Pnt& p)
   {
     const int known = vertices.Extent();
-    const int index = vertices.Add(v);   // a curve without vertices has the null vertex: it is a loop
+    const int index = vertices.Add(v); // a curve without vertices has the null vertex: it is a loop
     if (vertices.Extent() > known)
       shape.edges.vertices.push_back(scaled(v.IsNull() ? p : BRep_Tool::Pnt(v)));
     return static_cast<std::size_t>(index) - 1;
@@ -293,8 +288,7 @@ private:
     const double first = adaptor.FirstParameter(), last = adaptor.LastParameter();
     Curve exact;
     exact.kind = Curve_kind::SPLINE;
-    exact.map = [this, &adaptor, first, last](double t)
-    {
+    exact.map = [this, &adaptor, first, last](double t) {
       return scaled(adaptor.Value(first + (std::min)(1., (std::max)(0., t)) * (last - first)));
     };
     std::vector<Point> points = exact.sampled(step);
@@ -317,8 +311,9 @@ private:
       TopLoc_Location location;
       const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(face, location);
       if (triangulation.IsNull() || triangulation->NbTriangles() == 0)
-        throw bad_input("face " + std::to_string(i) + " of '" + path + "' cannot be triangulated; repair the "
-                        "part in a CAD program");
+        throw bad_input("face " + std::to_string(i) + " of '" + path
+                        + "' cannot be triangulated; repair the "
+                          "part in a CAD program");
       const std::uint32_t first = static_cast<std::uint32_t>(shape.mesh.points.size());
       for (int k = 1; k <= triangulation->NbNodes(); ++k)
       {
@@ -330,15 +325,14 @@ private:
       {
         int a, b, c;
         triangulation->Triangle(k).Get(a, b, c);
-        shape.mesh.triangles.push_back({{first + static_cast<std::uint32_t>(a - 1),
-                                         first + static_cast<std::uint32_t>(b - 1),
-                                         first + static_cast<std::uint32_t>(c - 1)}});
+        shape.mesh.triangles.push_back(
+          {{first + static_cast<std::uint32_t>(a - 1), first + static_cast<std::uint32_t>(b - 1),
+            first + static_cast<std::uint32_t>(c - 1)}});
         shape.mesh.patches.push_back(static_cast<std::uint32_t>(i - 1));
       }
       surfaces->surfaces.emplace_back(BRep_Tool::Surface(face));
     }
-    shape.move_to_surface = [surfaces](const Labelled_mesh& mesh, std::size_t triangle, const Point& p)
-    {
+    shape.move_to_surface = [surfaces](const Labelled_mesh& mesh, std::size_t triangle, const Point& p) {
       return surfaces->moved(mesh, triangle, p);
     };
   }
@@ -351,7 +345,7 @@ private:
   TopTools_IndexedMapOfShape faces;
   TopTools_IndexedDataMapOfShapeListOfShape faces_of_edges;
   std::vector<TopoDS_Edge> sharp_edges;
-  std::vector<std::vector<std::size_t> > patches_of_edges;   ///< per sharp edge
+  std::vector<std::vector<std::size_t>> patches_of_edges; ///< per sharp edge
 };
 
 inline TopoDS_Shape read_step_part(const std::string& path, const Step_options& options)
@@ -360,7 +354,7 @@ inline TopoDS_Shape read_step_part(const std::string& path, const Step_options& 
   if (!in || std::filesystem::is_directory(path))
     throw bad_input("cannot read '" + path + "'; is it a file, and may it be read?");
   STEPControl_Reader reader;
-  Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));   // it would write to stdout
+  Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer)); // it would write to stdout
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
     throw bad_input("'" + path + "' is not a STEP file, or it is damaged");
   reader.TransferRoots();
@@ -383,8 +377,7 @@ inline TopoDS_Shape read_step_part(const std::string& path, const Step_options& 
 /// share an edge. An edge is sharp if the normals of its two faces differ by more than an angle along most of
 /// it, or if it bounds one face only, or more than two; seams of closed surfaces and degenerate edges are not.
 /// Points are on the true surfaces.
-inline Annotated_shape read_step_shape(const std::string& path, const Step_options& options,
-                                       const Scale_rule& rule)
+inline Annotated_shape read_step_shape(const std::string& path, const Step_options& options, const Scale_rule& rule)
 {
   try
   {

@@ -23,19 +23,28 @@
 
 namespace Sample_solids {
 
-enum class Curve_kind { LINE, CIRCLE, ARC, ELLIPSE, ELLIPTIC_ARC, SPLINE, COMPOSITE };
+enum class Curve_kind
+{
+  LINE,
+  CIRCLE,
+  ARC,
+  ELLIPSE,
+  ELLIPTIC_ARC,
+  SPLINE,
+  COMPOSITE
+};
 
 inline const char* name_of(Curve_kind kind)
 {
   switch (kind)
   {
-    case Curve_kind::LINE: return "line";
-    case Curve_kind::CIRCLE: return "circle";
-    case Curve_kind::ARC: return "arc";
-    case Curve_kind::ELLIPSE: return "ellipse";
-    case Curve_kind::ELLIPTIC_ARC: return "elliptic_arc";
-    case Curve_kind::SPLINE: return "spline";
-    case Curve_kind::COMPOSITE: return "composite";
+  case Curve_kind::LINE: return "line";
+  case Curve_kind::CIRCLE: return "circle";
+  case Curve_kind::ARC: return "arc";
+  case Curve_kind::ELLIPSE: return "ellipse";
+  case Curve_kind::ELLIPTIC_ARC: return "elliptic_arc";
+  case Curve_kind::SPLINE: return "spline";
+  case Curve_kind::COMPOSITE: return "composite";
   }
   return "";
 }
@@ -48,9 +57,9 @@ struct Curve
 
   Curve_kind kind = Curve_kind::LINE;
   bool is_closed = false;
-  bool is_sharp = true;             ///< a smooth seam between two faces is an edge, but not a sharp one
-  std::size_t source = no_vertex;   ///< vertex at the parameter 0
-  std::size_t target = no_vertex;   ///< vertex at the parameter 1
+  bool is_sharp = true;           ///< a smooth seam between two faces is an edge, but not a sharp one
+  std::size_t source = no_vertex; ///< vertex at the parameter 0
+  std::size_t target = no_vertex; ///< vertex at the parameter 1
 
   Point start = {{0, 0, 0}};        ///< of a line
   Point end = {{0, 0, 0}};          ///< of a line
@@ -139,8 +148,22 @@ struct Curve
       const double f = slope(p, t);
       if (std::abs(f) < 1e-13)
         break;
-      if (f < 0) { low = t; f_low = f; if (side == -1) f_high *= 0.5; side = -1; }
-      else { high = t; f_high = f; if (side == 1) f_low *= 0.5; side = 1; }
+      if (f < 0)
+      {
+        low = t;
+        f_low = f;
+        if (side == -1)
+          f_high *= 0.5;
+        side = -1;
+      }
+      else
+      {
+        high = t;
+        f_high = f;
+        if (side == 1)
+          f_low *= 0.5;
+        side = 1;
+      }
     }
     return distance(p, at(t));
   }
@@ -148,8 +171,8 @@ struct Curve
   /// returns points at most `step` apart by arc length, from end to end.
   std::vector<Point> sampled(double step) const
   {
-    const std::size_t n = (std::max)(std::size_t(is_closed ? 3 : 1),
-                                     static_cast<std::size_t>(std::ceil(length() / step - 1e-9)));
+    const std::size_t n =
+      (std::max)(std::size_t(is_closed ? 3 : 1), static_cast<std::size_t>(std::ceil(length() / step - 1e-9)));
     std::vector<Point> points;
     points.reserve(n + 1);
     for (double t : even_parameters(n))

@@ -27,8 +27,7 @@ namespace Sample_solids {
 class Curve_distance
 {
 public:
-  Curve_distance(const std::vector<Curve>& curves_, const std::vector<std::size_t>& selected)
-    : curves(&curves_)
+  Curve_distance(const std::vector<Curve>& curves_, const std::vector<std::size_t>& selected) : curves(&curves_)
   {
     for (std::size_t i : selected)
       add_pieces(i);
@@ -80,15 +79,15 @@ private:
   struct Piece
   {
     std::size_t curve;
-    double low, high;   ///< parameters; of a polyline the indices of two neighbouring points
+    double low, high; ///< parameters; of a polyline the indices of two neighbouring points
     Box box;
   };
 
   struct Node
   {
     Box box;
-    std::size_t begin = 0, end = 0;   ///< the pieces, of a leaf
-    std::size_t left = 0, right = 0;  ///< the children; 0 for a leaf
+    std::size_t begin = 0, end = 0;  ///< the pieces, of a leaf
+    std::size_t left = 0, right = 0; ///< the children; 0 for a leaf
   };
 
   void add_pieces(std::size_t index)
@@ -103,8 +102,10 @@ private:
     }
     if (!curve.polyline.empty())
       return;
-    const int n = curve.kind == Curve_kind::LINE ? 1 : curve.kind == Curve_kind::ARC ? 2
-                  : curve.kind == Curve_kind::CIRCLE ? 8 : 512;
+    const int n = curve.kind == Curve_kind::LINE ? 1
+      : curve.kind == Curve_kind::ARC            ? 2
+      : curve.kind == Curve_kind::CIRCLE         ? 8
+                                                 : 512;
     for (int i = 0; i < n; ++i)
     {
       Piece piece = {index, double(i) / n, double(i + 1) / n, Box()};
@@ -142,8 +143,7 @@ private:
     const std::size_t axis = static_cast<std::size_t>(longest - size.begin());
     const std::size_t middle = (begin + end) / 2;
     const auto at = [this](std::size_t i) { return pieces.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(begin), at(middle), at(end), [axis](const Piece& a, const Piece& b)
-    {
+    std::nth_element(at(begin), at(middle), at(end), [axis](const Piece& a, const Piece& b) {
       return a.box.low[axis] + a.box.high[axis] < b.box.low[axis] + b.box.high[axis];
     });
     const std::size_t left = build(begin, middle);

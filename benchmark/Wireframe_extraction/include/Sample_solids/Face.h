@@ -25,21 +25,26 @@ namespace Sample_solids {
 /// cylinders, cones, spheres and tori.
 struct Face
 {
-  enum class Patch { RECTANGLE, REVOLVED_LINE, REVOLVED_ARC };
+  enum class Patch
+  {
+    RECTANGLE,
+    REVOLVED_LINE,
+    REVOLVED_ARC
+  };
 
   Patch patch = Patch::RECTANGLE;
-  Frame frame;                    ///< the rectangle's corner and sides, or the axis (z) of revolution
-  double width = 0, height = 0;   ///< of a rectangle
-  Point_2 from = {{0, 0}};        ///< of a revolved line: radius and height at its start,
-  Point_2 to = {{0, 0}};          ///< and at its end
-  Point_2 center = {{0, 0}};      ///< of a revolved arc: radius and height of its centre
-  double arc_radius = 0;          ///< of a revolved arc
-  double arc_start = 0, arc_sweep = 0;   ///< of a revolved arc
-  double first_angle = 0, sweep = 2 * pi;   ///< of any revolution
+  Frame frame;                            ///< the rectangle's corner and sides, or the axis (z) of revolution
+  double width = 0, height = 0;           ///< of a rectangle
+  Point_2 from = {{0, 0}};                ///< of a revolved line: radius and height at its start,
+  Point_2 to = {{0, 0}};                  ///< and at its end
+  Point_2 center = {{0, 0}};              ///< of a revolved arc: radius and height of its centre
+  double arc_radius = 0;                  ///< of a revolved arc
+  double arc_start = 0, arc_sweep = 0;    ///< of a revolved arc
+  double first_angle = 0, sweep = 2 * pi; ///< of any revolution
 
   /// What is kept: where all of these are positive. Each is a signed distance (its slope is at most 1).
-  std::vector<std::function<double(const Point&)> > trims;
-  std::vector<std::size_t> edges;   ///< the curves on its boundary, seams among them
+  std::vector<std::function<double(const Point&)>> trims;
+  std::vector<std::size_t> edges; ///< the curves on its boundary, seams among them
   double area = 0;
 
   /// returns the point at the parameters (u, v), both in [0, 1].
@@ -112,8 +117,8 @@ private:
   double cell_area(double u, double v, double width, double height, int depth) const
   {
     // Simpson's rule along v, on which alone the area element depends
-    const double whole = width * height * (area_element(v - height / 2) + 4. * area_element(v)
-                                           + area_element(v + height / 2)) / 6.;
+    const double whole =
+      width * height * (area_element(v - height / 2) + 4. * area_element(v) + area_element(v + height / 2)) / 6.;
     if (trims.empty())
       return whole;
     const double margin = inside(at(u, v)), a = width * side_u(), b = height * side_v();
@@ -123,8 +128,8 @@ private:
       return whole * (std::min)(1., (std::max)(0., 0.5 + margin / std::sqrt(a * b)));
     double sum = 0;
     for (int k = 0; k < 4; ++k)
-      sum += cell_area(u + width * (k % 2 == 0 ? -0.25 : 0.25), v + height * (k < 2 ? -0.25 : 0.25),
-                       width / 2, height / 2, depth - 1);
+      sum += cell_area(u + width * (k % 2 == 0 ? -0.25 : 0.25), v + height * (k < 2 ? -0.25 : 0.25), width / 2,
+                       height / 2, depth - 1);
     return sum;
   }
 };

@@ -25,7 +25,7 @@ struct True_curve
   Curve_kind kind = Curve_kind::LINE;
   bool is_closed = false;
   double length = 0;
-  std::vector<Point> points;   ///< from end to end; a closed curve ends with its first point
+  std::vector<Point> points; ///< from end to end; a closed curve ends with its first point
 };
 
 /// The ground truth of a solid: `curves` are chains of sharp edges through vertices of degree 2 at which they
@@ -103,7 +103,7 @@ private:
   {
     const std::vector<std::size_t>& edges = incident[vertex];
     return edges.size() == 2 && edges[0] != edges[1]
-           && dot(leaving(edges[0], vertex), leaving(edges[1], vertex)) < -std::cos(20. * pi / 180.);
+      && dot(leaving(edges[0], vertex), leaving(edges[1], vertex)) < -std::cos(20. * pi / 180.);
   }
 
   True_curve chain_from(std::size_t vertex, std::size_t edge)
@@ -141,13 +141,12 @@ private:
       std::reverse(segment.points.begin(), segment.points.end());
     chain.kind = count == 0 ? segment.kind : Curve_kind::COMPOSITE;
     chain.length += segment.length;
-    chain.points.insert(chain.points.end(), segment.points.begin() + (count == 0 ? 0 : 1),
-                        segment.points.end());
+    chain.points.insert(chain.points.end(), segment.points.begin() + (count == 0 ? 0 : 1), segment.points.end());
   }
 
   const Solid& solid;
   double step;
-  std::vector<std::vector<std::size_t> > incident;
+  std::vector<std::vector<std::size_t>> incident;
   std::vector<bool> is_used;
 };
 

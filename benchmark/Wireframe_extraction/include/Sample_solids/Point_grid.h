@@ -114,8 +114,7 @@ private:
   /// the key of the block of a cell
   static std::uint64_t key(std::int64_t i, std::int64_t j, std::int64_t k)
   {
-    const auto part = [](std::int64_t x)
-    {
+    const auto part = [](std::int64_t x) {
       return (static_cast<std::uint64_t>(x + (std::int64_t(1) << 22)) >> 2) & ((std::uint64_t(1) << 21) - 1);
     };
     return (part(i) << 42) | (part(j) << 21) | part(k);
@@ -145,9 +144,9 @@ private:
 
   double inverse_cell;
   std::vector<Slot> slots;
-  std::vector<std::array<std::uint32_t, 64> > blocks;   ///< per cell its last point
+  std::vector<std::array<std::uint32_t, 64>> blocks; ///< per cell its last point
   std::vector<Point> points;
-  std::vector<std::uint32_t> next;                      ///< per point the one before it in its cell
+  std::vector<std::uint32_t> next; ///< per point the one before it in its cell
 };
 
 } // namespace Sample_solids

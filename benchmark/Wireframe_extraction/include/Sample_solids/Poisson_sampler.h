@@ -58,8 +58,8 @@ public:
   typedef typename Tiling::Tile Tile;
 
   Poisson_sampler(Tiling& tiling_, double sampling_distance, std::size_t n, Random& random_, Cloud& cloud_)
-    : tiling(tiling_), smallest(0.9 * sampling_distance), largest(sampling_distance), wanted(n),
-      random(random_), cloud(cloud_), grid(2 * largest, n), tiles(tiling.tiles(smallest))
+    : tiling(tiling_), smallest(0.9 * sampling_distance), largest(sampling_distance), wanted(n), random(random_),
+      cloud(cloud_), grid(2 * largest, n), tiles(tiling.tiles(smallest))
   {
     cloud.faces.reserve(wanted);
   }
@@ -84,16 +84,14 @@ private:
   void sweep()
   {
     for (int k = 0; k < 8; ++k)
-      for (std::size_t i = random.index(15); i < tiles.size() && grid.size() < wanted;
-           i += 1 + random.index(15))
+      for (std::size_t i = random.index(15); i < tiles.size() && grid.size() < wanted; i += 1 + random.index(15))
         throw_dart(tiles[i]);
   }
 
   void throw_dart(const Tile& tile)
   {
     Point p;
-    if (!tiling.throw_dart(tile, random, p) || grid.has_point_within(p, disk_radius)
-        || !tiling.is_on_surface(tile, p))
+    if (!tiling.throw_dart(tile, random, p) || grid.has_point_within(p, disk_radius) || !tiling.is_on_surface(tile, p))
       return;
     grid.add(p);
     cloud.faces.push_back(tiling.face(tile));
@@ -121,8 +119,8 @@ private:
   }
 
   Tiling& tiling;
-  double smallest, largest;      ///< distance of any two points, at the end and at the beginning
-  double disk_radius = 0;        ///< at present
+  double smallest, largest; ///< distance of any two points, at the end and at the beginning
+  double disk_radius = 0;   ///< at present
   std::size_t wanted;
   Random& random;
   Cloud& cloud;

@@ -168,10 +168,10 @@ private:
   /// A part of a side on which y does not turn back: with it the parity of crossings needs no special case.
   struct Piece
   {
-    double x_0, y_0, x_1, y_1;   // y_0 <= y_1
-    double radius;               // 0 for a line
+    double x_0, y_0, x_1, y_1; // y_0 <= y_1
+    double radius;             // 0 for a line
     Point_2 center;
-    double sign;                 // of an arc: on which side of its centre it is
+    double sign; // of an arc: on which side of its centre it is
   };
 
   void add_piece(Point_2 a, Point_2 b, double radius, const Point_2& center, double sign)
@@ -226,7 +226,7 @@ private:
 struct Extrusion
 {
   std::size_t bottom = 0, top = 0;
-  std::vector<std::size_t> sides;   ///< one per side of the profile, loop after loop
+  std::vector<std::size_t> sides; ///< one per side of the profile, loop after loop
 };
 
 namespace internal {
@@ -278,8 +278,7 @@ inline Face cap_face(const Frame& frame, const Profile& profile, double height)
   face.width = box[2] - box[0];
   face.height = box[3] - box[1];
   if (!profile.is_rectangle())
-    face.trims.push_back([frame, profile](const Point& p)
-    {
+    face.trims.push_back([frame, profile](const Point& p) {
       const Point v = p - frame.origin;
       return profile.signed_distance(dot(v, frame.x), dot(v, frame.y));
     });
@@ -321,8 +320,8 @@ inline Extrusion extrude(Solid& solid, const Frame& frame, const Profile& profil
 }
 
 /// drills a hole from `entry` to `exit`, which lie on the two planar faces that are given.
-inline void drill(Solid& solid, std::size_t entry_face, std::size_t exit_face, const Point& entry,
-                  const Point& exit, double radius)
+inline void drill(Solid& solid, std::size_t entry_face, std::size_t exit_face, const Point& entry, const Point& exit,
+                  double radius)
 {
   const Frame frame = frame_along(entry, exit - entry);
   const double depth = distance(entry, exit);
@@ -330,8 +329,7 @@ inline void drill(Solid& solid, std::size_t entry_face, std::size_t exit_face, c
   far_frame.origin = exit;
   const std::size_t near_circle = solid.add_circle(frame, radius);
   const std::size_t far_circle = solid.add_circle(far_frame, radius);
-  const auto trim = [frame, radius](const Point& p)
-  {
+  const auto trim = [frame, radius](const Point& p) {
     const Point v = p - frame.origin;
     return std::hypot(dot(v, frame.x), dot(v, frame.y)) - radius;
   };

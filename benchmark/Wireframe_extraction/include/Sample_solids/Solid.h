@@ -99,8 +99,7 @@ struct Solid
   /// the ellipse with the given half axes along the x- and the y-direction of `frame`
   std::size_t add_ellipse(const Frame& frame, double half_x, double half_y)
   {
-    return add_closed_curve(Curve_kind::ELLIPSE, [frame, half_x, half_y](double t)
-    {
+    return add_closed_curve(Curve_kind::ELLIPSE, [frame, half_x, half_y](double t) {
       return frame(half_x * std::cos(2. * pi * t), half_y * std::sin(2. * pi * t), 0);
     });
   }
@@ -130,8 +129,7 @@ private:
 
   static bool share_an_edge(const Face& a, const Face& b)
   {
-    return &a == &b || std::any_of(a.edges.begin(), a.edges.end(), [&b](std::size_t edge)
-    {
+    return &a == &b || std::any_of(a.edges.begin(), a.edges.end(), [&b](std::size_t edge) {
       return std::find(b.edges.begin(), b.edges.end(), edge) != b.edges.end();
     });
   }
@@ -165,7 +163,7 @@ private:
       return false;
     if (a.kind == Curve_kind::CIRCLE)
       return distance(a.frame.origin, b.frame.origin) < tolerance && std::abs(a.radius - b.radius) < tolerance
-             && norm(cross(a.frame.z, b.frame.z)) < tolerance;
+        && norm(cross(a.frame.z, b.frame.z)) < tolerance;
     if (distance(a.at(0.5), b.at(0.5)) > tolerance)
       return false;
     const bool is_parallel = distance(a.at(0), b.at(0)) < tolerance && distance(a.at(1), b.at(1)) < tolerance;

@@ -23,7 +23,12 @@
 
 namespace Sample_solids {
 
-enum class Field_kind { EXACT, DEF, NOISY };
+enum class Field_kind
+{
+  EXACT,
+  DEF,
+  NOISY
+};
 
 inline const char* name_of(Field_kind kind)
 {
@@ -40,18 +45,18 @@ inline Field_kind field_kind_of(const std::string& name)
 struct Cloud
 {
   double sampling_distance = 0;
-  double truncation = 50;                ///< upper bound of the field, in sampling distances
+  double truncation = 50; ///< upper bound of the field, in sampling distances
   std::vector<Point> points;
-  std::vector<std::uint32_t> faces;      ///< on which face each point lies
-  std::vector<double> distances;         ///< the field as it is given out
-  std::vector<double> exact_distances;   ///< of the points where they were sampled
+  std::vector<std::uint32_t> faces;    ///< on which face each point lies
+  std::vector<double> distances;       ///< the field as it is given out
+  std::vector<double> exact_distances; ///< of the points where they were sampled
 };
 
 /// How far a field is off.
 struct Field_statistics
 {
-  double root_mean_square = 0;   ///< of the error, in sampling distances
-  double share_off = 0;          ///< of the points that are off by more than one sampling distance
+  double root_mean_square = 0; ///< of the error, in sampling distances
+  double share_off = 0;        ///< of the points that are off by more than one sampling distance
 };
 
 inline Field_statistics field_statistics(const Cloud& cloud)
@@ -74,11 +79,11 @@ namespace internal {
 /// The size of a kind of error; lengths are in sampling distances.
 struct Error_level
 {
-  double bias;          ///< standard deviation of the smooth bias at the edge
-  double noise;         ///< scale of the heavy-tailed noise at the edge
-  double share_off;     ///< wanted share of the points that are off by more than one sampling distance
-  double root_mean_square;   ///< wanted, over all points
-  double wrong_share;   ///< of the surface that is plainly wrong
+  double bias;             ///< standard deviation of the smooth bias at the edge
+  double noise;            ///< scale of the heavy-tailed noise at the edge
+  double share_off;        ///< wanted share of the points that are off by more than one sampling distance
+  double root_mean_square; ///< wanted, over all points
+  double wrong_share;      ///< of the surface that is plainly wrong
 };
 
 inline Error_level error_level(Field_kind kind)
@@ -134,10 +139,14 @@ public:
     draw_errors();
     draw_patches();
     // the far field and the wrong patches are what makes up a cloud's share and its mean square
-    growth = solve(0.5, 14, level.share_off,
-                   [this](double x) { growth = x; return statistics().share_off; });
-    depth = solve(1.5, 12, level.root_mean_square,
-                  [this](double x) { depth = x; return statistics().root_mean_square; });
+    growth = solve(0.5, 14, level.share_off, [this](double x) {
+      growth = x;
+      return statistics().share_off;
+    });
+    depth = solve(1.5, 12, level.root_mean_square, [this](double x) {
+      depth = x;
+      return statistics().root_mean_square;
+    });
     for (std::size_t i = 0; i < cloud.points.size(); ++i)
       cloud.distances[i] = cloud.sampling_distance * disturbed(i);
   }
@@ -150,8 +159,8 @@ private:
   {
     Point center;
     double radius;
-    bool is_spurious;   ///< an edge is seen where there is none; else an edge is missed
-    Point direction;    ///< of the spurious edge
+    bool is_spurious; ///< an edge is seen where there is none; else an edge is missed
+    Point direction;  ///< of the spurious edge
   };
 
   double exact(std::size_t i) const { return cloud.exact_distances[i] / cloud.sampling_distance; }
@@ -187,9 +196,8 @@ private:
     patch.center = grid.get_points()[center];
     patch.radius = random.uniform(5, 10);
     patch.is_spurious = random.uniform() < 0.5 && exact(center) > 4;
-    std::vector<std::pair<double, std::uint32_t> > found;
-    grid.visit_ball(patch.center, patch.radius, [&](std::size_t i, double d)
-    {
+    std::vector<std::pair<double, std::uint32_t>> found;
+    grid.visit_ball(patch.center, patch.radius, [&](std::size_t i, double d) {
       if (patches[i] == no_patch)
         found.emplace_back(d, static_cast<std::uint32_t>(i));
       return true;
@@ -264,8 +272,8 @@ private:
   Error_level level;
   Random& random;
   double growth = 3, depth = 4;
-  std::vector<float> errors;             // at the edge
-  std::vector<std::uint32_t> patches;    // the wrong patch of each point
+  std::vector<float> errors;          // at the edge
+  std::vector<std::uint32_t> patches; // the wrong patch of each point
   std::vector<Wrong_patch> wrong;
 };
 

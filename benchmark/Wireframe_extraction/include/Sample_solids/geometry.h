@@ -25,25 +25,13 @@ typedef std::array<double, 2> Point_2;
 
 constexpr double pi = 3.14159265358979323846;
 
-inline Point operator+(const Point& a, const Point& b)
-{
-  return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}};
-}
+inline Point operator+(const Point& a, const Point& b) { return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}}; }
 
-inline Point operator-(const Point& a, const Point& b)
-{
-  return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
-}
+inline Point operator-(const Point& a, const Point& b) { return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}}; }
 
-inline Point operator*(double s, const Point& a)
-{
-  return {{s * a[0], s * a[1], s * a[2]}};
-}
+inline Point operator*(double s, const Point& a) { return {{s * a[0], s * a[1], s * a[2]}}; }
 
-inline double dot(const Point& a, const Point& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+inline double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 inline Point cross(const Point& a, const Point& b)
 {

@@ -24,9 +24,9 @@ namespace Sample_solids {
 /// What `make_solid()` may be told.
 struct Solid_options
 {
-  double angle = 30;                ///< of the wedge, in degrees, between 5 and 170
-  double radius = 1;                ///< of the rounded plate's corners, in sampling distances, between 0.1 and 10
-  double sampling_distance = 0.02;  ///< the unit of some lengths; see `depends_on_sampling_distance()`
+  double angle = 30;               ///< of the wedge, in degrees, between 5 and 170
+  double radius = 1;               ///< of the rounded plate's corners, in sampling distances, between 0.1 and 10
+  double sampling_distance = 0.02; ///< the unit of some lengths; see `depends_on_sampling_distance()`
 };
 
 namespace internal {
@@ -41,8 +41,7 @@ inline Face disc(const Frame& frame, double inner_radius, double outer_radius)
   return face;
 }
 
-inline Face revolved_line(const Frame& frame, double radius_0, double height_0, double radius_1,
-                          double height_1)
+inline Face revolved_line(const Frame& frame, double radius_0, double height_0, double radius_1, double height_1)
 {
   Face face;
   face.patch = Face::Patch::REVOLVED_LINE;
@@ -105,8 +104,9 @@ inline void add_block_with_hole(Solid& solid)
 inline void add_bracket(Solid& solid)
 {
   const double t = 0.25;
-  const Extrusion bracket = extrude(solid, front_frame(), Profile({polygon_loop(
-    {{{0, 0}}, {{1.1, 0}}, {{1.1, t}}, {{t, t}}, {{t, 1.0}}, {{0, 1.0}}})}), 0.8);
+  const Extrusion bracket =
+    extrude(solid, front_frame(),
+            Profile({polygon_loop({{{0, 0}}, {{1.1, 0}}, {{1.1, t}}, {{t, t}}, {{t, 1.0}}, {{0, 1.0}}})}), 0.8);
   drill(solid, bracket.sides[0], bracket.sides[2], {{0.7, 0.4, 0}}, {{0.7, 0.4, t}}, 0.2);
   drill(solid, bracket.sides[5], bracket.sides[3], {{0, 0.4, 0.62}}, {{t, 0.4, 0.62}}, 0.18);
 }
@@ -154,8 +154,7 @@ inline void add_inscribed_boss(Solid& solid)
 /// The curve in which the thin cylinder (about x) meets the thick one (about z); `sign` tells the side.
 inline std::size_t add_crossing(Solid& solid, double thick, double thin, double sign)
 {
-  return solid.add_closed_spline([thick, thin, sign](double t)
-  {
+  return solid.add_closed_spline([thick, thin, sign](double t) {
     const double y = thin * std::cos(2 * pi * t), z = thin * std::sin(2 * pi * t);
     return Point{{sign * std::sqrt(thick * thick - y * y), y, z}};
   });
@@ -193,15 +192,16 @@ inline void add_crossing_cylinders(Solid& solid)
 inline void add_channel(Solid& solid)
 {
   const double w = 1.0, h = 0.8, t = 0.25;
-  extrude(solid, front_frame(), Profile({polygon_loop({{{0, 0}}, {{w, 0}}, {{w, h}}, {{w - t, h}},
-    {{w - t, t}}, {{t, t}}, {{t, h}}, {{0, h}}})}), 1.2);
+  extrude(
+    solid, front_frame(),
+    Profile({polygon_loop({{{0, 0}}, {{w, 0}}, {{w, h}}, {{w - t, h}}, {{w - t, t}}, {{t, t}}, {{t, h}}, {{0, h}}})}),
+    1.2);
 }
 
 inline void add_slotted_plate(Solid& solid)
 {
   const double a = 0.4, radius = 0.22;
-  const Loop slot = {line_side({{-a, -radius}}, {{a, -radius}}),
-                     arc_side({{a, -radius}}, {{a, radius}}, {{a, 0}}, pi),
+  const Loop slot = {line_side({{-a, -radius}}, {{a, -radius}}), arc_side({{a, -radius}}, {{a, radius}}, {{a, 0}}, pi),
                      line_side({{a, radius}}, {{-a, radius}}),
                      arc_side({{-a, radius}}, {{-a, -radius}}, {{-a, 0}}, pi)};
   extrude(solid, Frame(), Profile({rectangle_loop(-0.8, -0.5, 0.8, 0.5), slot}), 0.3);
@@ -221,8 +221,8 @@ inline void add_rounded_plate(Solid& solid, double radius)
 {
   const double x = 0.8, y = 0.55, a = x - radius, b = y - radius;
   const Loop outline = {line_side({{-a, -y}}, {{a, -y}}), arc_side({{a, -y}}, {{x, -b}}, {{a, -b}}, pi / 2),
-                        line_side({{x, -b}}, {{x, b}}), arc_side({{x, b}}, {{a, y}}, {{a, b}}, pi / 2),
-                        line_side({{a, y}}, {{-a, y}}), arc_side({{-a, y}}, {{-x, b}}, {{-a, b}}, pi / 2),
+                        line_side({{x, -b}}, {{x, b}}),   arc_side({{x, b}}, {{a, y}}, {{a, b}}, pi / 2),
+                        line_side({{a, y}}, {{-a, y}}),   arc_side({{-a, y}}, {{-x, b}}, {{-a, b}}, pi / 2),
                         line_side({{-x, b}}, {{-x, -b}}), arc_side({{-x, -b}}, {{-a, -y}}, {{-a, -b}}, pi / 2)};
   extrude(solid, Frame(), Profile({outline}), 0.4);
 }
@@ -273,8 +273,7 @@ inline void add_oblique_hole(Solid& solid)
   const double thickness = 0.3, radius = 0.25, angle = 35. * pi / 180.;
   const Extrusion plate = add_block(solid, 1.3, 0.9, thickness);
   const Frame axis = frame_along({{0, 0, thickness / 2}}, {{std::sin(angle), 0, std::cos(angle)}});
-  const auto outside_hole = [axis, radius](const Point& p)
-  {
+  const auto outside_hole = [axis, radius](const Point& p) {
     const Point v = p - axis.origin;
     return std::hypot(dot(v, axis.x), dot(v, axis.y)) - radius;
   };
@@ -316,8 +315,7 @@ inline void add_gear(Solid& solid)
 {
   const double tip_radius = 1.3, root_radius = 1.0;
   const double tip = 4.5 * pi / 180., root = 7.5 * pi / 180., pitch = pi / 6.;
-  const auto polar = [](double radius, double angle)
-  {
+  const auto polar = [](double radius, double angle) {
     return Point_2{{radius * std::cos(angle), radius * std::sin(angle)}};
   };
   Loop outline;
@@ -344,7 +342,7 @@ inline bool depends_on_sampling_distance(const std::string& name)
 }
 
 /// returns the names that `make_solid()` knows, each with what it is. The wedge takes any angle.
-inline std::vector<std::pair<std::string, std::string> > solid_names()
+inline std::vector<std::pair<std::string, std::string>> solid_names()
 {
   return {{"box", "a box"},
           {"cylinder", "a cylinder"},
@@ -383,30 +381,54 @@ inline Solid make_solid(const std::string& name, const Solid_options& options = 
   const double r = options.sampling_distance;
   Solid solid;
   solid.name = name;
-  if (name == "box") internal::add_block(solid, 1.2, 1.0, 0.8);
-  else if (name == "cylinder") internal::add_frustum(solid, 0.5, 0.5, 1.0);
-  else if (name == "frustum") internal::add_frustum(solid, 0.6, 0.35, 0.8);
-  else if (name == "box_with_hole") internal::add_block_with_hole(solid);
-  else if (name == "l_bracket") internal::add_bracket(solid);
-  else if (name == "nut") internal::add_nut(solid);
-  else if (name == "wedge") internal::add_wedge(solid, options.angle);
-  else if (name == "wedge_15") internal::add_wedge(solid, 15);
-  else if (name == "wedge_30") internal::add_wedge(solid, 30);
-  else if (name == "wedge_60") internal::add_wedge(solid, 60);
-  else if (name == "dimple") internal::add_dimple(solid);
-  else if (name == "inscribed_boss") internal::add_inscribed_boss(solid);
-  else if (name == "crossing_cylinders") internal::add_crossing_cylinders(solid);
-  else if (name == "u_channel") internal::add_channel(solid);
-  else if (name == "slotted_plate") internal::add_slotted_plate(solid);
-  else if (name == "thin_plate") internal::add_block(solid, 1.2, 0.9, 2 * r);
-  else if (name == "torus") internal::add_torus(solid);
-  else if (name == "gear") internal::add_gear(solid);
-  else if (name == "flange") internal::add_flange(solid);
-  else if (name == "elliptic_cut") internal::add_elliptic_cut(solid);
-  else if (name == "oblique_hole") internal::add_oblique_hole(solid);
-  else if (name == "rounded_plate") internal::add_rounded_plate(solid, options.radius * r);
-  else if (name == "faceted_disc") internal::add_faceted_disc(solid, 7 * r);
-  else throw std::invalid_argument("there is no solid '" + name + "'");
+  if (name == "box")
+    internal::add_block(solid, 1.2, 1.0, 0.8);
+  else if (name == "cylinder")
+    internal::add_frustum(solid, 0.5, 0.5, 1.0);
+  else if (name == "frustum")
+    internal::add_frustum(solid, 0.6, 0.35, 0.8);
+  else if (name == "box_with_hole")
+    internal::add_block_with_hole(solid);
+  else if (name == "l_bracket")
+    internal::add_bracket(solid);
+  else if (name == "nut")
+    internal::add_nut(solid);
+  else if (name == "wedge")
+    internal::add_wedge(solid, options.angle);
+  else if (name == "wedge_15")
+    internal::add_wedge(solid, 15);
+  else if (name == "wedge_30")
+    internal::add_wedge(solid, 30);
+  else if (name == "wedge_60")
+    internal::add_wedge(solid, 60);
+  else if (name == "dimple")
+    internal::add_dimple(solid);
+  else if (name == "inscribed_boss")
+    internal::add_inscribed_boss(solid);
+  else if (name == "crossing_cylinders")
+    internal::add_crossing_cylinders(solid);
+  else if (name == "u_channel")
+    internal::add_channel(solid);
+  else if (name == "slotted_plate")
+    internal::add_slotted_plate(solid);
+  else if (name == "thin_plate")
+    internal::add_block(solid, 1.2, 0.9, 2 * r);
+  else if (name == "torus")
+    internal::add_torus(solid);
+  else if (name == "gear")
+    internal::add_gear(solid);
+  else if (name == "flange")
+    internal::add_flange(solid);
+  else if (name == "elliptic_cut")
+    internal::add_elliptic_cut(solid);
+  else if (name == "oblique_hole")
+    internal::add_oblique_hole(solid);
+  else if (name == "rounded_plate")
+    internal::add_rounded_plate(solid, options.radius * r);
+  else if (name == "faceted_disc")
+    internal::add_faceted_disc(solid, 7 * r);
+  else
+    throw std::invalid_argument("there is no solid '" + name + "'");
   solid.finish();
   return solid;
 }

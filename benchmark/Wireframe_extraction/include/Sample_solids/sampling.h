@@ -25,19 +25,27 @@
 
 namespace Sample_solids {
 
-enum class Sampling { POISSON, UNIFORM };
+enum class Sampling
+{
+  POISSON,
+  UNIFORM
+};
 
 /// Which curves count for a point: all, or those of its own face and of the faces adjacent to it.
-enum class Field_scope { ADJACENT, ALL };
+enum class Field_scope
+{
+  ADJACENT,
+  ALL
+};
 
 struct Sampling_options
 {
   double sampling_distance = 0.02;
   Sampling sampling = Sampling::POISSON;
   Field_scope scope = Field_scope::ADJACENT;
-  double truncation = 50;          ///< upper bound of the field, in sampling distances
+  double truncation = 50; ///< upper bound of the field, in sampling distances
   Field_kind field = Field_kind::EXACT;
-  double position_noise = -1;      ///< in sampling distances; negative: 0.25 for a noisy field, 0 for others
+  double position_noise = -1; ///< in sampling distances; negative: 0.25 for a noisy field, 0 for others
   std::uint64_t seed = 1;
 };
 
@@ -62,8 +70,8 @@ public:
     while (cloud.points.size() < wanted)
     {
       const double x = random.uniform(0, sum);
-      const std::size_t k = (std::min)(static_cast<std::size_t>(std::upper_bound(sums.begin(), sums.end(), x)
-                                                                - sums.begin()), sums.size() - 1);
+      const std::size_t k = (std::min)(
+        static_cast<std::size_t>(std::upper_bound(sums.begin(), sums.end(), x) - sums.begin()), sums.size() - 1);
       cloud.points.push_back(point_on(solid.faces[k]));
       cloud.faces.push_back(static_cast<std::uint32_t>(k));
     }
@@ -164,18 +172,15 @@ public:
     }
   }
 
-  Tile quarter(const Tile& tile, std::uint32_t k) const
-  {
-    return {tile.face, 2 * tile.i + k % 2, 2 * tile.j + k / 2};
-  }
+  Tile quarter(const Tile& tile, std::uint32_t k) const { return {tile.face, 2 * tile.i + k % 2, 2 * tile.j + k / 2}; }
 
   std::uint32_t face(const Tile& tile) const { return tile.face; }
 
 private:
   struct Grid
   {
-    double columns, rows;   ///< of the face, on the present level
-    double weight;          ///< of one tile relative to the heaviest: how likely a dart may hit it
+    double columns, rows; ///< of the face, on the present level
+    double weight;        ///< of one tile relative to the heaviest: how likely a dart may hit it
   };
 
   const Solid& solid;
@@ -186,8 +191,7 @@ private:
 class Annotator
 {
 public:
-  Annotator(const Solid& solid, const Sampling_options& options)
-    : bound(options.truncation * options.sampling_distance)
+  Annotator(const Solid& solid, const Sampling_options& options) : bound(options.truncation * options.sampling_distance)
   {
     if (options.scope == Field_scope::ALL)
       trees.emplace_back(solid.curves, solid.sharp_curves());

@@ -76,8 +76,8 @@ inline void write_curves(std::ostream& out, const std::vector<True_curve>& curve
   for (std::size_t i = 0; i < curves.size(); ++i)
   {
     const True_curve& curve = curves[i];
-    out << (i == 0 ? "\n" : ",\n") << "  {\"kind\": \"" << name_of(curve.kind) << "\", \"closed\": "
-        << (curve.is_closed ? "true" : "false") << ", \"length\": " << number(curve.length, 12)
+    out << (i == 0 ? "\n" : ",\n") << "  {\"kind\": \"" << name_of(curve.kind)
+        << "\", \"closed\": " << (curve.is_closed ? "true" : "false") << ", \"length\": " << number(curve.length, 12)
         << ", \"points\": ";
     write_points(out, curve.points);
     out << '}';
@@ -90,8 +90,8 @@ inline void write_curves(std::ostream& out, const std::vector<True_curve>& curve
 /// writes the header of a cloud of so many points.
 inline void write_ply_header(std::ostream& out, double sampling_distance, std::size_t points)
 {
-  out << "ply\nformat binary_little_endian 1.0\ncomment sampling distance "
-      << internal::number(sampling_distance, 9) << "\nelement vertex " << points
+  out << "ply\nformat binary_little_endian 1.0\ncomment sampling distance " << internal::number(sampling_distance, 9)
+      << "\nelement vertex " << points
       << "\nproperty float x\nproperty float y\nproperty float z\nproperty float distance\nend_header\n";
 }
 
@@ -122,8 +122,7 @@ inline bool write_ply(std::ostream& out, const Cloud& cloud)
 }
 
 /// writes a ground truth as JSON.
-inline bool write_truth(std::ostream& out, const Ground_truth& truth, const std::string& name,
-                        std::size_t points)
+inline bool write_truth(std::ostream& out, const Ground_truth& truth, const std::string& name, std::size_t points)
 {
   out << "{\"shape\": \"" << internal::escaped(name) << "\", \"r\": " << internal::number(truth.sampling_distance, 12)
       << ", \"points\": " << points << ",\n\"curves\": ";

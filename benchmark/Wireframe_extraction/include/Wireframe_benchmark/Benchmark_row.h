@@ -27,8 +27,8 @@ namespace Wireframe_benchmark {
 struct Benchmark_row
 {
   std::string family, name, field;
-  std::string failure;                     ///< empty if there is a usable result
-  std::map<std::string, double> values;    ///< only those that apply
+  std::string failure;                  ///< empty if there is a usable result
+  std::map<std::string, double> values; ///< only those that apply
 
   /// returns a value, which is not a number if it does not apply.
   double value(const std::string& key) const
@@ -77,8 +77,7 @@ inline void set_scores(Benchmark_row& row, const Wireframe_evaluation::Wireframe
 /// returns whether `a` is worse than `b`: failures first, then what has the larger Chamfer distance.
 inline bool is_worse(const Benchmark_row& a, const Benchmark_row& b)
 {
-  const auto badness = [](const Benchmark_row& row)
-  {
+  const auto badness = [](const Benchmark_row& row) {
     return std::make_tuple(!row.is_failed(), -row.value("chamfer_distance_r"), row.key());
   };
   return badness(a) < badness(b);

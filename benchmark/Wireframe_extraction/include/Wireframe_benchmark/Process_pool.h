@@ -90,7 +90,7 @@ private:
   void start(std::size_t work)
   {
     int ends[2];
-    std::fflush(nullptr);   // what is in buffers is not to be written twice
+    std::fflush(nullptr); // what is in buffers is not to be written twice
     if (pipe(ends) != 0)
       throw std::runtime_error(std::string("there can be no more pipes: ") + std::strerror(errno));
     const pid_t process = fork();
@@ -130,7 +130,7 @@ private:
     for (const Worker& worker : m_workers)
       polled.push_back(pollfd{worker.pipe, POLLIN, 0});
     if (poll(polled.data(), static_cast<nfds_t>(polled.size()), 1000) < 0)
-      return;   // a signal; the caller looks at what it was
+      return; // a signal; the caller looks at what it was
     for (std::size_t i = polled.size(); i-- > 0;)
     {
       if (polled[i].revents == 0)
@@ -151,8 +151,7 @@ private:
     close(worker.pipe);
     int status = 0;
     while (waitpid(worker.process, &status, 0) < 0 && errno == EINTR)
-    {
-    }
+    {}
     const bool is_complete = WIFEXITED(status) && WEXITSTATUS(status) == 0 && !worker.text.empty();
     if (is_complete)
       worker.text.pop_back();

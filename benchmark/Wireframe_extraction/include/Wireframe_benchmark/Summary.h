@@ -52,13 +52,18 @@ inline double mean(const std::vector<double>& values)
 /// One figure of a summary: how it is headed and printed, and how it is made of rows.
 struct Summary_column
 {
-  enum class Statistic { MEDIAN, MEAN, UPPER_DECILE };
+  enum class Statistic
+  {
+    MEDIAN,
+    MEAN,
+    UPPER_DECILE
+  };
 
   const char* heading;
   const char* value;
   Statistic statistic;
-  int digits;          ///< behind the decimal point
-  int good_direction;  ///< 1 if more is better, -1 if less is better, 0 if neither
+  int digits;         ///< behind the decimal point
+  int good_direction; ///< 1 if more is better, -1 if less is better, 0 if neither
 };
 
 /// returns the columns of a summary. Rates of typed curves are only over the cases to which they apply.
@@ -66,30 +71,29 @@ inline const std::vector<Summary_column>& summary_columns()
 {
   constexpr auto MEDIAN = Summary_column::Statistic::MEDIAN, MEAN = Summary_column::Statistic::MEAN,
                  UPPER_DECILE = Summary_column::Statistic::UPPER_DECILE;
-  static const std::vector<Summary_column> columns = {
-    {"CD/r md", "chamfer_distance_r", MEDIAN, 3, -1},
-    {"CD/r mean", "chamfer_distance_r", MEAN, 3, -1},
-    {"CD/r q90", "chamfer_distance_r", UPPER_DECILE, 3, -1},
-    {"HD/r md", "hausdorff_distance_r", MEDIAN, 2, -1},
-    {"HD/r q90", "hausdorff_distance_r", UPPER_DECILE, 2, -1},
-    {"F1@r", "f1_at_1r", MEAN, 3, 1},
-    {"curveF1", "curve_f1", MEAN, 3, 1},
-    {"curveR6", "long_curve_recall", MEAN, 3, 1},
-    {"count md", "curve_count_ratio", MEDIAN, 2, 0},
-    {"cornerR", "corner_recall", MEAN, 3, 1},
-    {"cornerP", "corner_precision", MEAN, 3, 1},
-    {"typedR", "typed_recall", MEAN, 3, 1},
-    {"typedP", "typed_precision", MEAN, 3, 1},
-    {"s md", "seconds", MEDIAN, 2, -1}};
+  static const std::vector<Summary_column> columns = {{"CD/r md", "chamfer_distance_r", MEDIAN, 3, -1},
+                                                      {"CD/r mean", "chamfer_distance_r", MEAN, 3, -1},
+                                                      {"CD/r q90", "chamfer_distance_r", UPPER_DECILE, 3, -1},
+                                                      {"HD/r md", "hausdorff_distance_r", MEDIAN, 2, -1},
+                                                      {"HD/r q90", "hausdorff_distance_r", UPPER_DECILE, 2, -1},
+                                                      {"F1@r", "f1_at_1r", MEAN, 3, 1},
+                                                      {"curveF1", "curve_f1", MEAN, 3, 1},
+                                                      {"curveR6", "long_curve_recall", MEAN, 3, 1},
+                                                      {"count md", "curve_count_ratio", MEDIAN, 2, 0},
+                                                      {"cornerR", "corner_recall", MEAN, 3, 1},
+                                                      {"cornerP", "corner_precision", MEAN, 3, 1},
+                                                      {"typedR", "typed_recall", MEAN, 3, 1},
+                                                      {"typedP", "typed_precision", MEAN, 3, 1},
+                                                      {"s md", "seconds", MEDIAN, 2, -1}};
   return columns;
 }
 
 /// The figures of a group of cases.
 struct Summary
 {
-  std::string family, field;   ///< an empty family stands for all
+  std::string family, field; ///< an empty family stands for all
   std::size_t number_of_cases = 0, number_of_failures = 0;
-  std::vector<double> figures;   ///< one per column
+  std::vector<double> figures; ///< one per column
 };
 
 namespace internal {
@@ -117,9 +121,9 @@ inline double figure(const std::vector<Benchmark_row>& rows, const Summary_colum
   const std::vector<double> values = values_of(rows, column.value);
   switch (column.statistic)
   {
-    case Summary_column::Statistic::MEDIAN: return quantile(values, 0.5);
-    case Summary_column::Statistic::UPPER_DECILE: return quantile(values, 0.9);
-    case Summary_column::Statistic::MEAN: break;
+  case Summary_column::Statistic::MEDIAN: return quantile(values, 0.5);
+  case Summary_column::Statistic::UPPER_DECILE: return quantile(values, 0.9);
+  case Summary_column::Statistic::MEAN: break;
   }
   return mean(values);
 }
@@ -144,8 +148,8 @@ inline Summary summarize(const std::vector<Benchmark_row>& rows, const std::stri
 inline std::vector<Summary> summarize_groups(const std::vector<Benchmark_row>& rows)
 {
   typedef std::pair<std::string, std::string> Group;
-  std::map<Group, std::vector<Benchmark_row> > groups;
-  std::map<std::string, std::vector<Benchmark_row> > fields;
+  std::map<Group, std::vector<Benchmark_row>> groups;
+  std::map<std::string, std::vector<Benchmark_row>> fields;
   std::set<std::string> families;
   for (const Benchmark_row& row : rows)
   {

@@ -94,7 +94,7 @@ private:
     return result;
   }
 
-  std::vector<std::vector<std::string> > m_lines;
+  std::vector<std::vector<std::string>> m_lines;
   const std::size_t m_number_of_texts;
 };
 

@@ -65,8 +65,7 @@ public:
   }
 
 private:
-  static std::string filled(const std::string& word,
-                            const std::vector<std::pair<std::string, std::string> >& values)
+  static std::string filled(const std::string& word, const std::vector<std::pair<std::string, std::string>>& values)
   {
     std::string result;
     for (std::size_t i = 0; i < word.size();)

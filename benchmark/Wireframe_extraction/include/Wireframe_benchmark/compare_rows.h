@@ -56,10 +56,16 @@ inline const std::vector<Compared_value>& compared_values()
 /// The change of one case. A case is mixed if some of its values got better and others worse.
 struct Case_change
 {
-  enum class Verdict { WORSE, MIXED, BETTER, SAME };
+  enum class Verdict
+  {
+    WORSE,
+    MIXED,
+    BETTER,
+    SAME
+  };
 
   Benchmark_row before, after;
-  std::vector<int> signs;    ///< per compared value: 1 better, -1 worse, 0 the same
+  std::vector<int> signs; ///< per compared value: 1 better, -1 worse, 0 the same
   Verdict verdict = Verdict::SAME;
 };
 
@@ -88,7 +94,7 @@ inline Case_change change_of(const Benchmark_row& before, const Benchmark_row& a
   change.before = before;
   change.after = after;
   bool is_better = before.is_failed() && !after.is_failed(), is_worse = !before.is_failed() && after.is_failed();
-  const bool is_decided = is_better || is_worse;   // whatever else changed
+  const bool is_decided = is_better || is_worse; // whatever else changed
   for (const Compared_value& value : compared_values())
   {
     const int sign = sign_of_change(value, before.value(value.name), after.value(value.name));
@@ -128,8 +134,7 @@ inline Comparison compare_rows(const std::vector<Benchmark_row>& before, const s
     result.after.push_back(row);
   }
   result.only_before = old_rows.size() - result.changes.size();
-  const auto badness = [](const Case_change& change)
-  {
+  const auto badness = [](const Case_change& change) {
     const double curve = change.after.value("curve_f1") - change.before.value("curve_f1");
     const double distance = change.after.value("chamfer_distance_r") - change.before.value("chamfer_distance_r");
     return std::make_tuple(static_cast<int>(change.verdict), std::isnan(curve) ? 0. : curve,
@@ -154,8 +159,8 @@ inline Text_table change_table(const Comparison& comparison)
       continue;
     const auto state = [](const Benchmark_row& row) { return std::string(row.is_failed() ? "fail" : "ok"); };
     const bool is_failed = change.before.is_failed() || change.after.is_failed();
-    std::vector<std::string> line = {verdicts[static_cast<int>(change.verdict)], change.after.family,
-                                     change.after.name, change.after.field,
+    std::vector<std::string> line = {verdicts[static_cast<int>(change.verdict)], change.after.family, change.after.name,
+                                     change.after.field,
                                      is_failed ? internal::arrow(state(change.before), state(change.after)) : ""};
     for (std::size_t i = 0; i < compared_values().size(); ++i)
     {
@@ -177,12 +182,11 @@ inline Text_table summary_change_table(const Comparison& comparison)
     headings.push_back(column.heading);
   Text_table table(std::move(headings), 2);
   const std::vector<Summary> before = summarize_groups(comparison.before), after = summarize_groups(comparison.after);
-  for (std::size_t k = 0; k < after.size(); ++k)   // the same groups in the same order
+  for (std::size_t k = 0; k < after.size(); ++k) // the same groups in the same order
   {
-    std::vector<std::string> line = {after[k].family.empty() ? "(all)" : after[k].family, after[k].field,
-                                     std::to_string(after[k].number_of_cases),
-                                     internal::arrow(std::to_string(before[k].number_of_failures),
-                                                     std::to_string(after[k].number_of_failures))};
+    std::vector<std::string> line = {
+      after[k].family.empty() ? "(all)" : after[k].family, after[k].field, std::to_string(after[k].number_of_cases),
+      internal::arrow(std::to_string(before[k].number_of_failures), std::to_string(after[k].number_of_failures))};
     for (std::size_t i = 0; i < summary_columns().size(); ++i)
       line.push_back(internal::arrow(fixed(before[k].figures[i], summary_columns()[i].digits),
                                      fixed(after[k].figures[i], summary_columns()[i].digits)));
@@ -194,8 +198,7 @@ inline Text_table summary_change_table(const Comparison& comparison)
 /// writes a comparison; `is_markdown` says in which form the tables are.
 inline void write_comparison(std::ostream& out, const Comparison& comparison, bool is_markdown)
 {
-  const auto write = [&out, is_markdown](const Text_table& table)
-  {
+  const auto write = [&out, is_markdown](const Text_table& table) {
     if (is_markdown)
       table.write_markdown(out);
     else

@@ -41,14 +41,13 @@ inline std::string csv_field(const std::string& text)
 }
 
 // the fields of all lines
-inline std::vector<std::vector<std::string> > parse_csv(const std::string& text)
+inline std::vector<std::vector<std::string>> parse_csv(const std::string& text)
 {
-  std::vector<std::vector<std::string> > lines;
+  std::vector<std::vector<std::string>> lines;
   std::vector<std::string> line;
   std::string field;
   bool is_quoted = false;
-  const auto end_line = [&]
-  {
+  const auto end_line = [&] {
     line.push_back(std::move(field));
     field.clear();
     if (line.size() > 1 || !line.front().empty())
@@ -109,11 +108,12 @@ inline std::vector<Benchmark_row> read_csv(const std::string& path)
   if (!in)
     throw std::runtime_error(path + ": cannot be opened");
   const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  const std::vector<std::vector<std::string> > lines = internal::parse_csv(text);
-  if (lines.empty() || lines[0].size() < 4 || lines[0][0] != "family" || lines[0][1] != "case"
-      || lines[0][2] != "field" || lines[0][3] != "failure")
-    throw std::runtime_error(path + ": is not a table of this tool: its first line does not start with "
-                             "family,case,field,failure");
+  const std::vector<std::vector<std::string>> lines = internal::parse_csv(text);
+  if (lines.empty() || lines[0].size() < 4 || lines[0][0] != "family" || lines[0][1] != "case" || lines[0][2] != "field"
+      || lines[0][3] != "failure")
+    throw std::runtime_error(path
+                             + ": is not a table of this tool: its first line does not start with "
+                               "family,case,field,failure");
   std::vector<Benchmark_row> rows;
   for (std::size_t i = 1; i < lines.size(); ++i)
   {

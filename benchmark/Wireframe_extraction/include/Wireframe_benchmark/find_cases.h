@@ -47,7 +47,7 @@ private:
   // `place` is the folder's path seen from the root
   void visit(const fs::path& folder, const fs::path& place)
   {
-    if (!m_visited.insert(fs::canonical(folder)).second)   // links may lead in circles
+    if (!m_visited.insert(fs::canonical(folder)).second) // links may lead in circles
       return;
     std::vector<fs::path> entries;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder))
@@ -56,7 +56,7 @@ private:
     const bool is_case = fs::is_regular_file(folder / "truth.json");
     for (const fs::path& path : entries)
     {
-      std::error_code ignored;   // of links that lead nowhere
+      std::error_code ignored; // of links that lead nowhere
       if (fs::is_directory(path, ignored))
         visit(path, place / path.filename());
       else if (is_case && path.extension() == ".ply")
@@ -87,10 +87,7 @@ private:
 returns all cases under a folder, in the order of their paths: each is a folder with a file `truth.json` and one cloud
 `FIELD.ply` per field. The folder around such a folder is its family.
 */
-inline std::vector<Benchmark_case> find_cases(const fs::path& root)
-{
-  return internal::Case_finder(root).run();
-}
+inline std::vector<Benchmark_case> find_cases(const fs::path& root) { return internal::Case_finder(root).run(); }
 
 } // namespace Wireframe_benchmark
 

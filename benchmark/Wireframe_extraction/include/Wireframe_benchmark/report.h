@@ -47,7 +47,8 @@ inline Text_table summary_table(const std::vector<Summary>& summaries)
 inline Text_table case_table(const std::vector<Benchmark_row>& rows)
 {
   Text_table table({"family", "case", "field", "failure", "CD/r", "HD/r", "F1@r", "curveF1", "curveR6", "curves",
-                    "chains", "cornerR", "cornerP", "typedR", "typedP", "seconds", "MB"}, 4);
+                    "chains", "cornerR", "cornerP", "typedR", "typedP", "seconds", "MB"},
+                   4);
   for (const Benchmark_row& row : rows)
     table.add({row.family, row.name, row.field, row.failure, fixed(row.value("chamfer_distance_r"), 3),
                fixed(row.value("hausdorff_distance_r"), 2), fixed(row.value("f1_at_1r"), 3),

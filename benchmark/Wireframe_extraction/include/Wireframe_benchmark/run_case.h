@@ -36,7 +36,7 @@ struct Run_options
 {
   Tool_command tool;
   Process_limits limits;
-  fs::path work_folder;   ///< for results, which are removed again
+  fs::path work_folder; ///< for results, which are removed again
 };
 
 namespace internal {

@@ -33,7 +33,7 @@ struct Run_result
 {
   std::vector<Benchmark_row> rows;
   std::vector<std::string> errors;
-  bool is_complete = true;   ///< `false` if it was stopped
+  bool is_complete = true; ///< `false` if it was stopped
 };
 
 namespace internal {
@@ -50,7 +50,7 @@ inline std::string row_as_text(const std::function<Benchmark_row()>& make_row)
     document["failure"] = row.failure;
     document["values"] = Json::object();
     for (const auto& value : row.values)
-      document["values"][value.first] = value.second;   // an infinite one becomes null
+      document["values"][value.first] = value.second; // an infinite one becomes null
   }
   catch (const std::exception& error)
   {
@@ -93,33 +93,33 @@ inline Run_result run_cases(const std::vector<Benchmark_case>& cases, const Run_
   for (std::size_t i = 0; i < cases.size(); ++i)
   {
     const Benchmark_case& c = cases[i];
-    pool.add([&c, &options, i]
-    {
+    pool.add([&c, &options, i] {
       end_together_with_program();
       return internal::row_as_text([&] { return run_case(c, options, i); });
     });
     case_of_work.push_back(i);
   }
-  result.is_complete = pool.run([&](std::size_t work, bool is_well, const std::string& text)
-  {
-    const Benchmark_case& c = cases[case_of_work[work]];
-    const bool is_first_try = work < cases.size();
-    if (!is_well && is_first_try)
-    {
-      const std::string failure = "the evaluation crashed: " + text;
-      pool.add([&c, failure] { return internal::row_as_text([&] { return failed_case(c, failure); }); });
-      case_of_work.push_back(case_of_work[work]);
-      return;
-    }
-    const internal::Json document = is_well ? internal::Json::parse(text) : internal::Json{{"error", text}};
-    if (document.contains("error"))
-    {
-      result.errors.push_back(c.truth.string() + ": " + document["error"].get<std::string>());
-      return;
-    }
-    result.rows.push_back(internal::row_of_text(c, document));
-    progress(result.rows.back());
-  }, is_stopped);
+  result.is_complete = pool.run(
+    [&](std::size_t work, bool is_well, const std::string& text) {
+      const Benchmark_case& c = cases[case_of_work[work]];
+      const bool is_first_try = work < cases.size();
+      if (!is_well && is_first_try)
+      {
+        const std::string failure = "the evaluation crashed: " + text;
+        pool.add([&c, failure] { return internal::row_as_text([&] { return failed_case(c, failure); }); });
+        case_of_work.push_back(case_of_work[work]);
+        return;
+      }
+      const internal::Json document = is_well ? internal::Json::parse(text) : internal::Json{{"error", text}};
+      if (document.contains("error"))
+      {
+        result.errors.push_back(c.truth.string() + ": " + document["error"].get<std::string>());
+        return;
+      }
+      result.rows.push_back(internal::row_of_text(c, document));
+      progress(result.rows.back());
+    },
+    is_stopped);
   return result;
 }
 

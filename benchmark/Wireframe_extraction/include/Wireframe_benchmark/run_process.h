@@ -38,18 +38,18 @@ namespace Wireframe_benchmark {
 struct Process_limits
 {
   double seconds = 0;
-  std::size_t megabytes = 0;   ///< of address space
+  std::size_t megabytes = 0; ///< of address space
 };
 
 /// How a process ended, and what it took.
 struct Process_result
 {
   bool is_timed_out = false;
-  int exit_code = 0;           ///< 127 if the program could not be started
-  int signal = 0;              ///< that ended it, or 0
+  int exit_code = 0; ///< 127 if the program could not be started
+  int signal = 0;    ///< that ended it, or 0
   double seconds = 0;
   double cpu_seconds = 0;
-  double peak_megabytes = 0;   ///< of resident memory
+  double peak_megabytes = 0; ///< of resident memory
 };
 
 namespace internal {
@@ -124,10 +124,7 @@ private:
   _exit(127);
 }
 
-inline double seconds_of(const timeval& time)
-{
-  return double(time.tv_sec) + 1e-6 * double(time.tv_usec);
-}
+inline double seconds_of(const timeval& time) { return double(time.tv_sec) + 1e-6 * double(time.tv_usec); }
 
 } // namespace internal
 
@@ -157,13 +154,13 @@ inline Process_result run_process(std::vector<std::string> words, const std::str
   const auto seconds = [begin] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
   pid_t child = 0;
   {
-    internal::Interruptions_off interruptions;   // until it is known what is to end with this process
+    internal::Interruptions_off interruptions; // until it is known what is to end with this process
     child = fork();
     if (child < 0)
       throw std::runtime_error(std::string("no process can be started: ") + std::strerror(errno));
     if (child == 0)
       internal::become(arguments.data(), errors.c_str(), limits, interruptions);
-    setpgid(child, child);   // here too, as it is not known who runs first
+    setpgid(child, child); // here too, as it is not known who runs first
     internal::running_process() = child;
   }
 
@@ -187,7 +184,7 @@ inline Process_result run_process(std::vector<std::string> words, const std::str
     std::this_thread::sleep_for(std::chrono::duration<double>((std::min)(0.02, 0.001 + 0.01 * seconds())));
   }
   result.seconds = seconds();
-  kill(-child, SIGKILL);   // whatever it left behind
+  kill(-child, SIGKILL); // whatever it left behind
   internal::running_process() = 0;
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
   result.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;

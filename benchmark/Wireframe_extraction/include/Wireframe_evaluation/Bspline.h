@@ -32,7 +32,7 @@ struct Bspline
   std::size_t degree = 0;
   std::vector<double> knots;
   std::vector<Point> control_points;
-  std::vector<double> weights;   ///< empty, or one per control point
+  std::vector<double> weights; ///< empty, or one per control point
 
   /// throws `std::runtime_error` with a sentence about the first fault if the data make no curve.
   void check() const
@@ -44,15 +44,14 @@ struct Bspline
       throw std::runtime_error("the degree is " + std::to_string(degree) + ", more than the "
                                + std::to_string(most_degree) + " allowed");
     if (n <= degree)
-      throw std::runtime_error(std::to_string(n) + " control points are too few for degree "
-                               + std::to_string(degree));
+      throw std::runtime_error(std::to_string(n) + " control points are too few for degree " + std::to_string(degree));
     if (knots.size() != n + degree + 1)
       throw std::runtime_error("there are " + std::to_string(knots.size()) + " knots; " + std::to_string(n)
                                + " control points of degree " + std::to_string(degree) + " need "
                                + std::to_string(n + degree + 1));
     if (!weights.empty() && weights.size() != n)
-      throw std::runtime_error("there are " + std::to_string(weights.size()) + " weights for "
-                               + std::to_string(n) + " control points");
+      throw std::runtime_error("there are " + std::to_string(weights.size()) + " weights for " + std::to_string(n)
+                               + " control points");
     for (double weight : weights)
       if (!(weight > 0.))
         throw std::runtime_error("a weight is not positive");
@@ -98,7 +97,7 @@ struct Bspline
     for (std::size_t span = degree; span < control_points.size(); ++span)
       if (knots[span] < knots[span + 1])
         append_span(span, step, result);
-    if (knots[0] == knots[degree])   // clamped: without any rounding
+    if (knots[0] == knots[degree]) // clamped: without any rounding
       result.front() = control_points.front();
     if (knots[control_points.size()] == knots.back())
       result.back() = control_points.back();
@@ -110,7 +109,7 @@ struct Bspline
 
 private:
   static constexpr std::size_t most_degree = 25;
-  static constexpr std::size_t most_pieces = 10000;   // of a span, should a curve be of monstrous size
+  static constexpr std::size_t most_pieces = 10000; // of a span, should a curve be of monstrous size
 
   void append_span(std::size_t span, double step, std::vector<Point>& result) const
   {

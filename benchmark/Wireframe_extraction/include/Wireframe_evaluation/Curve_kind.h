@@ -17,7 +17,13 @@
 namespace Wireframe_evaluation {
 
 /// The kinds of curves that are told apart: arcs count as circles, everything that is no primitive as spline.
-enum class Curve_kind { SPLINE, LINE, CIRCLE, ELLIPSE };
+enum class Curve_kind
+{
+  SPLINE,
+  LINE,
+  CIRCLE,
+  ELLIPSE
+};
 
 /// returns the kind for a name as it stands in files.
 inline Curve_kind curve_kind(const std::string& name)

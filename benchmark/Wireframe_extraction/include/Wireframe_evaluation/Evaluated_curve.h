@@ -41,7 +41,7 @@ struct Evaluated_curve
 struct True_wireframe
 {
   double sampling_distance = 0;
-  std::size_t number_of_points = 0;   ///< of the cloud; 0 if the file does not tell
+  std::size_t number_of_points = 0; ///< of the cloud; 0 if the file does not tell
   std::vector<Evaluated_curve> curves;
   std::vector<Evaluated_curve> segments;
   std::vector<Point> corners;

@@ -26,15 +26,9 @@ typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_3 Point;
 typedef Kernel::Vector_3 Vector;
 
-inline double distance(const Point& p, const Point& q)
-{
-  return std::sqrt((q - p).squared_length());
-}
+inline double distance(const Point& p, const Point& q) { return std::sqrt((q - p).squared_length()); }
 
-inline bool is_finite(const Point& p)
-{
-  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
-}
+inline bool is_finite(const Point& p) { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); }
 
 /*!
 A polyline that can be measured and sampled by arc length. It has one point at least, and none that is equal to
@@ -137,7 +131,7 @@ private:
   }
 
   std::vector<Point> m_points;
-  std::vector<double> m_lengths;   // from the start to each point
+  std::vector<double> m_lengths; // from the start to each point
 };
 
 } // namespace Wireframe_evaluation

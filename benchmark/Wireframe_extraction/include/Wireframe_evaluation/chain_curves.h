@@ -41,8 +41,8 @@ public:
   typedef std::function<bool(const Evaluated_curve&, const Evaluated_curve&)> Predicate;
 
   Curve_chainer(const std::vector<Evaluated_curve>& curves, double radius, double angle, Predicate may_join)
-    : m_curves(curves), m_radius(radius), m_cosine(-std::cos(angle * CGAL_PI / 180.)),
-      m_may_join(std::move(may_join)), m_is_used(curves.size(), false)
+    : m_curves(curves), m_radius(radius), m_cosine(-std::cos(angle * CGAL_PI / 180.)), m_may_join(std::move(may_join)),
+      m_is_used(curves.size(), false)
   {
     for (std::size_t i = 0; i < curves.size(); ++i)
       if (has_ends(curves[i]))
@@ -89,7 +89,7 @@ private:
     const Evaluated_curve& a = m_curves[ends[0].curve];
     const Evaluated_curve& b = m_curves[ends[1].curve];
     const double cosine = a.polyline.direction_from_end(ends[0].is_target, m_radius)
-                          * b.polyline.direction_from_end(ends[1].is_target, m_radius);
+      * b.polyline.direction_from_end(ends[1].is_target, m_radius);
     return cosine <= m_cosine && (!m_may_join || ends[0].curve == ends[1].curve || m_may_join(a, b));
   }
 
@@ -145,7 +145,7 @@ private:
   const double m_radius, m_cosine;
   const Predicate m_may_join;
   std::vector<bool> m_is_used;
-  std::map<std::size_t, std::vector<End> > m_ends;   // per vertex
+  std::map<std::size_t, std::vector<End>> m_ends; // per vertex
   Chained_curves m_result;
 };
 

@@ -21,7 +21,7 @@ namespace Wireframe_evaluation {
 struct Circle
 {
   Point center;
-  double radius;   ///< infinite if the points are on a line
+  double radius; ///< infinite if the points are on a line
 };
 
 /// returns the circle through the two ends and the middle of a polyline, or through its thirds if it is closed.
@@ -35,8 +35,8 @@ inline Circle circle_through_polyline(const Polyline& polyline, bool is_closed)
   const double n = w.squared_length();
   if (!(n > 0.))
     return {a, std::numeric_limits<double>::infinity()};
-  const Vector to_center = (CGAL::cross_product(w, u) * v.squared_length()
-                            + CGAL::cross_product(v, w) * u.squared_length()) / (2. * n);
+  const Vector to_center =
+    (CGAL::cross_product(w, u) * v.squared_length() + CGAL::cross_product(v, w) * u.squared_length()) / (2. * n);
   return {a + to_center, std::sqrt(to_center.squared_length())};
 }
 

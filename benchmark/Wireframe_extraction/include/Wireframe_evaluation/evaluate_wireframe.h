@@ -89,8 +89,8 @@ inline void score_corners(const True_wireframe& truth, const std::vector<Point>&
   scores.true_corners = truth.corners.size();
   scores.predicted_corners = predicted.size();
   scores.corner_recall = truth.corners.empty() ? 1. : double(matches) / double(truth.corners.size());
-  scores.corner_precision = predicted.empty() ? double(truth.corners.empty())
-                                              : double(matches) / double(predicted.size());
+  scores.corner_precision =
+    predicted.empty() ? double(truth.corners.empty()) : double(matches) / double(predicted.size());
 }
 
 inline void score_curves(const True_wireframe& truth, const std::vector<Evaluated_curve>& chains, double step,

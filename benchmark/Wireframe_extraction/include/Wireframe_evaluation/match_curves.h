@@ -46,7 +46,7 @@ public:
   const Polyline_distance& distances(std::size_t i) const { return m_distances[i]; }
 
 private:
-  std::vector<std::vector<Point> > m_samples;
+  std::vector<std::vector<Point>> m_samples;
   std::vector<CGAL::Bbox_3> m_boxes;
   std::deque<Polyline_distance> m_distances;
 };
@@ -71,8 +71,7 @@ matches true and predicted curves whose mutual Hausdorff distance is below `tole
 \param step distance of the samples whose distances to the other curve are measured
 */
 inline std::vector<Match> match_curves(const std::vector<Evaluated_curve>& truth,
-                                       const std::vector<Evaluated_curve>& prediction, double tolerance,
-                                       double step)
+                                       const std::vector<Evaluated_curve>& prediction, double tolerance, double step)
 {
   const internal::Curve_set a(truth, step), b(prediction, step);
   std::vector<internal::Match_candidate> candidates;

@@ -20,7 +20,7 @@
 
 namespace Wireframe_evaluation {
 
-typedef std::pair<std::size_t, std::size_t> Match;   ///< index of what is true, index of what is predicted
+typedef std::pair<std::size_t, std::size_t> Match; ///< index of what is true, index of what is predicted
 
 namespace internal {
 
@@ -35,12 +35,11 @@ struct Match_candidate
 
 /// takes the closest pair again and again, each partner once. Equally close pairs are taken in the order of
 /// their indices.
-inline std::vector<Match> match_greedily(std::vector<internal::Match_candidate> candidates,
-                                         std::size_t number_of_true, std::size_t number_of_predicted)
+inline std::vector<Match> match_greedily(std::vector<internal::Match_candidate> candidates, std::size_t number_of_true,
+                                         std::size_t number_of_predicted)
 {
   typedef internal::Match_candidate Candidate;
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b)
-  {
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return std::tie(a.distance, a.truth, a.prediction) < std::tie(b.distance, b.truth, b.prediction);
   });
   std::vector<bool> is_true_taken(number_of_true, false), is_prediction_taken(number_of_predicted, false);

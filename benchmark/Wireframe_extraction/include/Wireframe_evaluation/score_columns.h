@@ -18,7 +18,12 @@
 
 namespace Wireframe_evaluation {
 
-enum class Score_unit { LENGTH, NUMBER, COUNT };
+enum class Score_unit
+{
+  LENGTH,
+  NUMBER,
+  COUNT
+};
 
 /// A score with its name in files, what it is, and how to get it.
 struct Score_column
@@ -35,8 +40,7 @@ inline const std::vector<Score_column>& score_columns()
   typedef const Wireframe_scores& S;
   constexpr Score_unit LENGTH = Score_unit::LENGTH, NUMBER = Score_unit::NUMBER, COUNT = Score_unit::COUNT;
   static const std::vector<Score_column> columns = {
-    {"chamfer_distance", LENGTH, "mean of the two one-sided mean distances",
-     [](S s) { return s.chamfer_distance; }},
+    {"chamfer_distance", LENGTH, "mean of the two one-sided mean distances", [](S s) { return s.chamfer_distance; }},
     {"hausdorff_distance", LENGTH, "larger of the two one-sided largest distances",
      [](S s) { return s.hausdorff_distance; }},
     {"recall_at_1r", NUMBER, "share of the truth closer than r", [](S s) { return s.recall_at_1r; }},

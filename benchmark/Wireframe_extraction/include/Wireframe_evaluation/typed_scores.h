@@ -40,8 +40,8 @@ class Type_scorer
 {
 public:
   Type_scorer(const True_wireframe& truth, const std::vector<Evaluated_curve>& prediction, double step)
-    : m_r(truth.sampling_distance), m_truth(joined(with_vertices(truth.segments))),
-      m_prediction(joined(prediction)), m_matches(match_curves(m_truth, m_prediction, 2. * m_r, step))
+    : m_r(truth.sampling_distance), m_truth(joined(with_vertices(truth.segments))), m_prediction(joined(prediction)),
+      m_matches(match_curves(m_truth, m_prediction, 2. * m_r, step))
   {}
 
   void score(Wireframe_scores& scores) const
@@ -99,8 +99,7 @@ private:
   std::vector<Evaluated_curve> with_vertices(std::vector<Evaluated_curve> segments) const
   {
     std::vector<Point> vertices;
-    const auto vertex = [this, &vertices](const Point& p)
-    {
+    const auto vertex = [this, &vertices](const Point& p) {
       std::size_t nearest = vertices.size();
       for (std::size_t i = 0; i < vertices.size(); ++i)
         if (nearest == vertices.size() || distance(p, vertices[i]) < distance(p, vertices[nearest]))
@@ -124,8 +123,7 @@ private:
   // with the pieces of one line or one circle joined
   std::vector<Evaluated_curve> joined(const std::vector<Evaluated_curve>& curves) const
   {
-    const auto are_same_primitive = [this](const Evaluated_curve& a, const Evaluated_curve& b)
-    {
+    const auto are_same_primitive = [this](const Evaluated_curve& a, const Evaluated_curve& b) {
       if (a.kind != b.kind || (a.kind != Curve_kind::LINE && a.kind != Curve_kind::CIRCLE))
         return false;
       if (a.kind == Curve_kind::LINE)

@@ -112,7 +112,8 @@ void* realloc(void* memory, std::size_t size) noexcept
 {
   const long long before = memory != nullptr ? static_cast<long long>(malloc_usable_size(memory)) : 0;
   void* const result = __libc_realloc(memory, size);
-  if (result != nullptr || size == 0) {
+  if (result != nullptr || size == 0)
+  {
     Wireframe_performance::Memory_meter::add(-before);
     Wireframe_performance::internal::counted(result);
   }

@@ -14,8 +14,8 @@
 
 #include <Wireframe_performance/Timed_cloud.h>
 
-#include <CGAL/extract_wireframe.h>
 #include <CGAL/Wireframe_extraction/IO/read_distance_cloud.h>
+#include <CGAL/extract_wireframe.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Fuzzy_sphere.h>
@@ -36,7 +36,7 @@
 namespace Wireframe_performance {
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-typedef std::vector<std::pair<Kernel::Point_3, double> > Cloud;
+typedef std::vector<std::pair<Kernel::Point_3, double>> Cloud;
 
 /// What all stages get and give, for one cloud.
 class Pipeline
@@ -48,8 +48,8 @@ class Pipeline
   Cloud m_cloud;
   double m_sampling_distance = 0.;
   Skeleton m_selected, m_contracted, m_refined;
-  std::vector<CGAL::Wireframe_corner<Kernel> > m_corners;
-  std::vector<std::vector<std::size_t> > m_clusters;
+  std::vector<CGAL::Wireframe_corner<Kernel>> m_corners;
+  std::vector<std::vector<std::size_t>> m_clusters;
   CGAL::Wireframe_graph<Kernel> m_graph;
   CGAL::Wireframe<Kernel> m_wireframe;
 
@@ -116,12 +116,12 @@ public:
     return skeleton;
   }
 
-  std::vector<CGAL::Wireframe_corner<Kernel> > corners() const
+  std::vector<CGAL::Wireframe_corner<Kernel>> corners() const
   {
     return CGAL::Wireframe_extraction::detect_corners(m_refined);
   }
 
-  std::vector<std::vector<std::size_t> > segment() const
+  std::vector<std::vector<std::size_t>> segment() const
   {
     return CGAL::Wireframe_extraction::segment_curves(m_refined, m_corners);
   }
@@ -160,7 +160,7 @@ public:
   }
 
 private:
-  struct Counter   // kd-trees assign iterators, which lambdas do not permit
+  struct Counter // kd-trees assign iterators, which lambdas do not permit
   {
     std::size_t* count;
     void operator()(const Kernel::Point_3&) const { ++*count; }

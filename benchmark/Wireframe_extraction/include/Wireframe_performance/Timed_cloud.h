@@ -32,10 +32,7 @@ struct Timed_cloud
     return shape == other.shape && field == other.field && points == other.points;
   }
 
-  std::string name() const
-  {
-    return shape + "/" + Sample_solids::name_of(field) + "/" + std::to_string(points);
-  }
+  std::string name() const { return shape + "/" + Sample_solids::name_of(field) + "/" + std::to_string(points); }
 };
 
 /// A plate with 23 x 22 round holes: 1012 circles, and 12 lines.

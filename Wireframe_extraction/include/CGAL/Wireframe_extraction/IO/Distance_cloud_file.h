@@ -134,8 +134,8 @@ private:
     bool operator()(const internal::Distance_sample* first, const internal::Distance_sample* last)
     {
       chunk.clear();
-      for(; first != last; ++first)
-        chunk.push_back(Sample{ first->x, first->y, first->z, first->distance });
+      for (; first != last; ++first)
+        chunk.push_back(Sample{first->x, first->y, first->z, first->distance});
       is_stopped = !sink(chunk.data(), chunk.data() + chunk.size());
       return !is_stopped;
     }
@@ -147,14 +147,14 @@ private:
   {
     internal::Separate_distances distances;
     internal::Cloud_reader_options options = m_options;
-    if(m_has_distances_file)
+    if (m_has_distances_file)
     {
       const std::string error = internal::read_distances_file(m_distances_filename, options, distances);
-      if(!error.empty())
+      if (!error.empty())
         return error;
       options.distances = &distances;
     }
-    Chunk_sink chunks = { sink, {}, false };
+    Chunk_sink chunks = {sink, {}, false};
     const std::string error = internal::read_cloud(m_filename, options, chunks, m_number_of_skipped);
     return chunks.is_stopped ? std::string() : error;
   }

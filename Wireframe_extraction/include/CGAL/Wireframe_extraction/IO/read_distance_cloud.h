@@ -40,7 +40,7 @@ struct Cloud_sink
 
   bool operator()(const Distance_sample* first, const Distance_sample* last)
   {
-    for(; first != last; ++first)
+    for (; first != last; ++first)
       cloud.emplace_back(Point(first->x, first->y, first->z), FT(first->distance));
     return true;
   }
@@ -49,7 +49,7 @@ struct Cloud_sink
 template <class FT>
 double largest_magnitude_of()
 {
-  if constexpr(std::is_floating_point<FT>::value && sizeof(FT) < sizeof(double))
+  if constexpr (std::is_floating_point<FT>::value && sizeof(FT) < sizeof(double))
     return static_cast<double>((std::numeric_limits<FT>::max)());
   else
     return (std::numeric_limits<double>::max)();
@@ -83,11 +83,11 @@ std::string read_in_memory(const std::string& filename, const Read& read)
   {
     return read();
   }
-  catch(const std::bad_alloc&)
+  catch (const std::bad_alloc&)
   {
     return filename + ": there is not enough memory for its points";
   }
-  catch(const std::length_error&)
+  catch (const std::length_error&)
   {
     return filename + ": there is not enough memory for its points";
   }
@@ -106,24 +106,23 @@ bool read_distance_cloud_of_files(const std::string& filename, const std::string
   std::size_t number_of_skipped = 0;
   std::vector<std::pair<Point, FT>> result;
   Separate_distances distances;
-  const std::string error = read_in_memory(filename, [&]
-  {
-    if(distances_filename != nullptr)
+  const std::string error = read_in_memory(filename, [&] {
+    if (distances_filename != nullptr)
     {
       const std::string distances_error = read_distances_file(*distances_filename, options, distances);
-      if(!distances_error.empty())
+      if (!distances_error.empty())
         return distances_error;
       options.distances = &distances;
     }
-    Cloud_sink<Point, FT> sink = { result };
+    Cloud_sink<Point, FT> sink = {result};
     return read_cloud(filename, options, sink, number_of_skipped);
   });
-  if(error.empty())
+  if (error.empty())
     cloud.swap(result);
 
-  std::size_t* const skipped = choose_parameter(get_parameter(np, internal_np::number_of_skipped),
-                                                static_cast<std::size_t*>(nullptr));
-  if(skipped != nullptr)
+  std::size_t* const skipped =
+    choose_parameter(get_parameter(np, internal_np::number_of_skipped), static_cast<std::size_t*>(nullptr));
+  if (skipped != nullptr)
     *skipped = (error.empty() ? number_of_skipped : 0);
   return report(np, error);
 }

@@ -37,10 +37,10 @@ struct Patch_sink
 
   bool operator()(const Distance_sample* first, const Distance_sample* last)
   {
-    for(; first != last; ++first)
+    for (; first != last; ++first)
     {
       patch.samples.emplace_back(Point(first->x, first->y, first->z), FT(first->distance));
-      if(first->index != Distance_sample::no_index)
+      if (first->index != Distance_sample::no_index)
         patch.indices.push_back(static_cast<std::size_t>(first->index));
     }
     return true;
@@ -97,34 +97,32 @@ bool read_distance_patches(const FilenameRange& filenames,
 
   internal::Cloud_reader_options options = internal::get_cloud_reader_options<FT>(np);
   options.reads_indices = choose_parameter(get_parameter(np, internal_np::use_indices), true);
-  options.indices_dataset =
-    choose_parameter(get_parameter_reference(np, internal_np::indices_dataset), std::string());
+  options.indices_dataset = choose_parameter(get_parameter_reference(np, internal_np::indices_dataset), std::string());
 
   std::vector<CGAL::Wireframe_extraction::Distance_patch<Point, FT>> result;
   std::size_t number_of_skipped = 0;
   std::string error;
-  for(const std::string& filename : filenames)
+  for (const std::string& filename : filenames)
   {
-    error = internal::read_in_memory(filename, [&]
-    {
+    error = internal::read_in_memory(filename, [&] {
       std::size_t skipped_here = 0;
       result.emplace_back();
-      internal::Patch_sink<Point, FT> sink = { result.back() };
+      internal::Patch_sink<Point, FT> sink = {result.back()};
       const std::string reason = internal::read_cloud(filename, options, sink, skipped_here);
       number_of_skipped += skipped_here;
       return reason;
     });
-    if(!error.empty())
+    if (!error.empty())
       break;
   }
-  if(error.empty() && result.empty())
+  if (error.empty() && result.empty())
     error = "there are no names of files with patches";
-  if(error.empty())
+  if (error.empty())
     patches.swap(result);
 
-  std::size_t* const skipped = choose_parameter(get_parameter(np, internal_np::number_of_skipped),
-                                                static_cast<std::size_t*>(nullptr));
-  if(skipped != nullptr)
+  std::size_t* const skipped =
+    choose_parameter(get_parameter(np, internal_np::number_of_skipped), static_cast<std::size_t*>(nullptr));
+  if (skipped != nullptr)
     *skipped = (error.empty() ? number_of_skipped : 0);
   return internal::report(np, error);
 }

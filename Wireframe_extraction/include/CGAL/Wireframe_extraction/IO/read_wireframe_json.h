@@ -67,13 +67,13 @@ private:
 
   bool parse(std::istream& stream, Json& document)
   {
-    if(stream.peek() == std::istream::traits_type::eof())
+    if (stream.peek() == std::istream::traits_type::eof())
       return fail(stream.bad() ? "cannot be read" : internal::empty_file_text());
     try
     {
       document = Json::parse(stream);
     }
-    catch(const Json::exception& exception)
+    catch (const Json::exception& exception)
     {
       // the text starts with a name of the exception in brackets
       const std::string text = exception.what();
@@ -81,7 +81,7 @@ private:
       return fail("is no valid JSON, or truncated: "
                   + printable(text.substr(end == std::string::npos ? 0 : end + 2), 200));
     }
-    catch(const std::bad_alloc&)
+    catch (const std::bad_alloc&)
     {
       return fail("there is not enough memory to read it");
     }
@@ -90,11 +90,11 @@ private:
 
   bool check_format(const Json& document)
   {
-    if(!document.is_object() || !document.contains("format") || document["format"] != "wireframe")
+    if (!document.is_object() || !document.contains("format") || document["format"] != "wireframe")
       return fail("is no wireframe: a wireframe is a JSON object with \"format\":\"wireframe\"");
-    if(!document.contains("version") || !document["version"].is_number_integer())
+    if (!document.contains("version") || !document["version"].is_number_integer())
       return fail("has no \"version\" that is an integer");
-    if(document["version"] != 1)
+    if (document["version"] != 1)
       return fail("has version " + document["version"].dump() + ", only version 1 is known");
     return true;
   }
@@ -104,22 +104,21 @@ private:
     Wireframe result;
     double sampling_distance = 0.;
     const Json* curves = nullptr;
-    if(!read_number(document, "sampling_distance", sampling_distance)
-       || !read_points(document, "vertices", result.vertices)
-       || !find_array(document, "curves", curves))
+    if (!read_number(document, "sampling_distance", sampling_distance)
+        || !read_points(document, "vertices", result.vertices) || !find_array(document, "curves", curves))
       return false;
     result.sampling_distance = FT(sampling_distance);
-    for(std::size_t i = 0; i < curves->size(); ++i)
+    for (std::size_t i = 0; i < curves->size(); ++i)
     {
       place_ = "curve " + std::to_string(i) + ": ";
       Curve curve;
-      if(!read_curve((*curves)[i], curve))
+      if (!read_curve((*curves)[i], curve))
         return false;
       result.curves.push_back(std::move(curve));
     }
     place_.clear();
     const std::string problem = wireframe_problem(result, traits_);
-    if(!problem.empty())
+    if (!problem.empty())
       return fail(problem);
     wireframe = std::move(result);
     return true;
@@ -129,15 +128,15 @@ private:
 
   bool read_curve(const Json& json, Curve& curve)
   {
-    if(!json.is_object())
+    if (!json.is_object())
       return fail("it is no JSON object");
     double root_mean_square = 0., maximum_deviation = 0.;
     std::size_t support = 0;
-    if(!read_type(json, curve.type)
-       || !read_vertex(json, "source", curve.source) || !read_vertex(json, "target", curve.target)
-       || (json.contains("rms") && !read_number(json, "rms", root_mean_square))
-       || (json.contains("max") && !read_number(json, "max", maximum_deviation))
-       || (json.contains("support") && !read_count(json, "support", support)))
+    if (!read_type(json, curve.type) || !read_vertex(json, "source", curve.source)
+        || !read_vertex(json, "target", curve.target)
+        || (json.contains("rms") && !read_number(json, "rms", root_mean_square))
+        || (json.contains("max") && !read_number(json, "max", maximum_deviation))
+        || (json.contains("support") && !read_count(json, "support", support)))
       return false;
     curve.root_mean_square = FT(root_mean_square);
     curve.maximum_deviation = FT(maximum_deviation);
@@ -148,29 +147,29 @@ private:
   // what a line or a conic has beside its spline; uncertainties may be missing
   bool read_parameters(const Json& json, Curve& curve)
   {
-    if(is_conic(curve.type) && !read_conic(json, curve.conic))
+    if (is_conic(curve.type) && !read_conic(json, curve.conic))
       return false;
-    if(curve.type == Wireframe_curve_type::BSPLINE || !json.contains("uncertainty"))
+    if (curve.type == Wireframe_curve_type::BSPLINE || !json.contains("uncertainty"))
       return true;
     const Json& uncertainty = json["uncertainty"];
     double position = 0., direction = 0.;
-    if(!uncertainty.is_object())
+    if (!uncertainty.is_object())
       return fail("\"uncertainty\" is " + found(json, "uncertainty") + ", it has to be an object");
-    if(!read_number(uncertainty, "position", position) || !read_number(uncertainty, "direction", direction))
+    if (!read_number(uncertainty, "position", position) || !read_number(uncertainty, "direction", direction))
       return false;
     curve.uncertainty.position = FT(position);
     curve.uncertainty.direction = FT(direction);
     return !is_conic(curve.type)
-           || read_pair(uncertainty, "radii", curve.uncertainty.major_radius, curve.uncertainty.minor_radius);
+      || read_pair(uncertainty, "radii", curve.uncertainty.major_radius, curve.uncertainty.minor_radius);
   }
 
   bool read_conic(const Json& json, Wireframe_conic<GeomTraits>& conic)
   {
     std::vector<FT> center, axis, direction;
-    if(!read_array_of(json, "center", 3, center) || !read_array_of(json, "axis", 3, axis)
-       || !read_array_of(json, "major_direction", 3, direction)
-       || !read_pair(json, "radii", conic.major_radius, conic.minor_radius)
-       || !read_pair(json, "angles", conic.start_angle, conic.end_angle))
+    if (!read_array_of(json, "center", 3, center) || !read_array_of(json, "axis", 3, axis)
+        || !read_array_of(json, "major_direction", 3, direction)
+        || !read_pair(json, "radii", conic.major_radius, conic.minor_radius)
+        || !read_pair(json, "angles", conic.start_angle, conic.end_angle))
       return false;
     conic.center = traits_.construct_point_3_object()(center[0], center[1], center[2]);
     conic.axis = traits_.construct_vector_3_object()(axis[0], axis[1], axis[2]);
@@ -181,7 +180,7 @@ private:
   bool read_pair(const Json& json, const char* key, FT& first, FT& second)
   {
     std::vector<FT> numbers;
-    if(!read_array_of(json, key, 2, numbers))
+    if (!read_array_of(json, key, 2, numbers))
       return false;
     first = numbers[0];
     second = numbers[1];
@@ -193,36 +192,35 @@ private:
     std::size_t degree = 0;
     std::vector<FT> knots, weights;
     std::vector<Point_3> control_points;
-    if(!json.contains("closed") || !json["closed"].is_boolean())
+    if (!json.contains("closed") || !json["closed"].is_boolean())
       return fail("\"closed\" has to be true or false");
-    if(!read_count(json, "degree", degree) || !read_numbers(json, "knots", knots)
-       || !read_points(json, "control_points", control_points)
-       || (json.contains("weights") && !read_numbers(json, "weights", weights)))
+    if (!read_count(json, "degree", degree) || !read_numbers(json, "knots", knots)
+        || !read_points(json, "control_points", control_points)
+        || (json.contains("weights") && !read_numbers(json, "weights", weights)))
       return false;
-    if(json.contains("weights") && weights.empty())
+    if (json.contains("weights") && weights.empty())
       return fail("\"weights\" is empty; a curve without weights does not have that key");
     std::string why;
-    if(degree > control_points.size())
+    if (degree > control_points.size())
       return fail("degree " + std::to_string(degree) + " needs more than that many control points; there are "
                   + std::to_string(control_points.size()));
-    if(!Curve::Spline::is_valid(degree, knots, control_points, weights, &why, traits_))
+    if (!Curve::Spline::is_valid(degree, knots, control_points, weights, &why, traits_))
       return fail(why);
-    curve.spline = typename Curve::Spline(degree, std::move(knots), std::move(control_points),
-                                          std::move(weights),
+    curve.spline = typename Curve::Spline(degree, std::move(knots), std::move(control_points), std::move(weights),
                                           json["closed"].template get<bool>(), traits_);
     return true;
   }
 
   bool read_type(const Json& json, Wireframe_curve_type& type)
   {
-    const Wireframe_curve_type types[] = {
-      Wireframe_curve_type::BSPLINE, Wireframe_curve_type::LINE, Wireframe_curve_type::CIRCLE,
-      Wireframe_curve_type::ARC, Wireframe_curve_type::ELLIPSE, Wireframe_curve_type::ELLIPTIC_ARC };
+    const Wireframe_curve_type types[] = {Wireframe_curve_type::BSPLINE, Wireframe_curve_type::LINE,
+                                          Wireframe_curve_type::CIRCLE,  Wireframe_curve_type::ARC,
+                                          Wireframe_curve_type::ELLIPSE, Wireframe_curve_type::ELLIPTIC_ARC};
     std::string names;
-    for(const Wireframe_curve_type known : types)
+    for (const Wireframe_curve_type known : types)
     {
       type = known;
-      if(json.contains("type") && json["type"] == name_of(known))
+      if (json.contains("type") && json["type"] == name_of(known))
         return true;
       names += std::string(names.empty() ? "" : ", ") + name_of(known);
     }
@@ -233,13 +231,12 @@ private:
   bool read_vertex(const Json& json, const char* key, std::size_t& vertex)
   {
     vertex = Curve::no_vertex;
-    if(!json.contains(key) || json[key].is_null())
+    if (!json.contains(key) || json[key].is_null())
       return true;
-    if(!read_count(json, key, vertex))
+    if (!read_count(json, key, vertex))
       return false;
     // a number in the file must not be taken for the mark
-    return vertex != Curve::no_vertex || fail(quote(key) + " is " + found(json, key)
-                                              + ", there is no such vertex");
+    return vertex != Curve::no_vertex || fail(quote(key) + " is " + found(json, key) + ", there is no such vertex");
   }
 
   // ---- values ----
@@ -251,21 +248,18 @@ private:
 
   static std::string brief(const Json& value)
   {
-    if(value.is_structured())
+    if (value.is_structured())
       return value.is_array() ? "an array" : "an object";
-    if(value.is_string())
+    if (value.is_string())
       return quote(value.get_ref<const std::string&>());
     return value.dump();
   }
 
-  static bool is_finite_number(const Json& value)
-  {
-    return value.is_number() && std::isfinite(value.get<double>());
-  }
+  static bool is_finite_number(const Json& value) { return value.is_number() && std::isfinite(value.get<double>()); }
 
   bool read_number(const Json& json, const char* key, double& number)
   {
-    if(!json.contains(key) || !is_finite_number(json[key]))
+    if (!json.contains(key) || !is_finite_number(json[key]))
       return fail(quote(key) + " is " + found(json, key) + ", it has to be a finite number");
     number = json[key].get<double>();
     return true;
@@ -273,7 +267,7 @@ private:
 
   bool read_count(const Json& json, const char* key, std::size_t& count)
   {
-    if(!json.contains(key) || !json[key].is_number_unsigned())
+    if (!json.contains(key) || !json[key].is_number_unsigned())
       return fail(quote(key) + " is " + found(json, key) + ", it has to be a natural number");
     count = json[key].get<std::size_t>();
     return true;
@@ -281,7 +275,7 @@ private:
 
   bool find_array(const Json& json, const char* key, const Json*& array)
   {
-    if(!json.contains(key) || !json[key].is_array())
+    if (!json.contains(key) || !json[key].is_array())
       return fail(quote(key) + " is " + found(json, key) + ", it has to be an array");
     array = &json[key];
     return true;
@@ -290,12 +284,12 @@ private:
   bool read_numbers(const Json& json, const char* key, std::vector<FT>& numbers)
   {
     const Json* array = nullptr;
-    if(!find_array(json, key, array))
+    if (!find_array(json, key, array))
       return false;
     numbers.reserve(array->size());
-    for(const Json& value : *array)
+    for (const Json& value : *array)
     {
-      if(!is_finite_number(value))
+      if (!is_finite_number(value))
         return fail(quote(key) + " holds at index " + std::to_string(numbers.size()) + " " + brief(value)
                     + ", which is no finite number");
       numbers.push_back(FT(value.get<double>()));
@@ -307,24 +301,23 @@ private:
   bool read_array_of(const Json& json, const char* key, std::size_t count, std::vector<FT>& numbers)
   {
     return (read_numbers(json, key, numbers) && numbers.size() == count)
-           || fail(quote(key) + " is " + found(json, key) + ", it has to be an array of "
-                   + (count == 2 ? "two" : "three") + " finite numbers");
+      || fail(quote(key) + " is " + found(json, key) + ", it has to be an array of " + (count == 2 ? "two" : "three")
+              + " finite numbers");
   }
 
   bool read_points(const Json& json, const char* key, std::vector<Point_3>& points)
   {
     const Json* array = nullptr;
-    if(!find_array(json, key, array))
+    if (!find_array(json, key, array))
       return false;
     points.reserve(array->size());
-    for(const Json& value : *array)
+    for (const Json& value : *array)
     {
-      if(!value.is_array() || value.size() != 3 || !is_finite_number(value[0]) || !is_finite_number(value[1])
-         || !is_finite_number(value[2]))
+      if (!value.is_array() || value.size() != 3 || !is_finite_number(value[0]) || !is_finite_number(value[1])
+          || !is_finite_number(value[2]))
         return fail(quote(key) + " holds at index " + std::to_string(points.size())
                     + " something else than a point of three finite numbers");
-      points.push_back(traits_.construct_point_3_object()(FT(value[0].get<double>()),
-                                                          FT(value[1].get<double>()),
+      points.push_back(traits_.construct_point_3_object()(FT(value[0].get<double>()), FT(value[1].get<double>()),
                                                           FT(value[2].get<double>())));
     }
     return true;
@@ -402,10 +395,10 @@ bool read_wireframe_json(const std::string& filename, CGAL::Wireframe<GeomTraits
   const GeomTraits traits = internal::get_geom_traits<GeomTraits>(np);
   std::ifstream stream;
   std::string error;
-  if(internal::open_input_file(filename, stream, error))
+  if (internal::open_input_file(filename, stream, error))
   {
     internal::Wireframe_json_reader<GeomTraits> reader(traits);
-    if(!reader.read(stream, wireframe))
+    if (!reader.read(stream, wireframe))
       error = filename + ": " + reader.error();
   }
   return internal::report(np, error);

@@ -41,7 +41,8 @@ namespace internal {
 // for messages
 inline const char* known_wireframe_extensions()
 {
-  return ".json, .step, .stp, .iges, .igs, .brep, .dxf, .obj, .ply, .vtp, .gltf, .glb, .svg, .csv, .polylines.txt, .txt "
+  return ".json, .step, .stp, .iges, .igs, .brep, .dxf, .obj, .ply, .vtp, .gltf, .glb, .svg, .csv, .polylines.txt, "
+         ".txt "
          "and .cgal";
 }
 
@@ -100,39 +101,42 @@ bool write_wireframe(const std::string& filename, const CGAL::Wireframe<GeomTrai
                      const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   const std::string extension = internal::lower_extension(filename);
-  if(extension == ".json")
+  if (extension == ".json")
     return write_wireframe_json(filename, wireframe, np);
-  if(extension == ".obj")
+  if (extension == ".obj")
     return write_wireframe_obj(filename, wireframe, np);
-  if(extension == ".ply")
+  if (extension == ".ply")
     return write_wireframe_ply(filename, wireframe, np);
-  if(extension == ".dxf")
+  if (extension == ".dxf")
     return write_wireframe_dxf(filename, wireframe, np);
-  if(extension == ".vtp")
+  if (extension == ".vtp")
     return write_wireframe_vtp(filename, wireframe, np);
-  if(extension == ".gltf" || extension == ".glb")
+  if (extension == ".gltf" || extension == ".glb")
     return write_wireframe_gltf(filename, wireframe, np);
-  if(extension == ".svg")
+  if (extension == ".svg")
     return write_wireframe_svg(filename, wireframe, np);
-  if(extension == ".csv")
+  if (extension == ".csv")
     return write_wireframe_csv(filename, wireframe, np);
-  if(extension == ".txt" || extension == ".cgal")
+  if (extension == ".txt" || extension == ".cgal")
     return write_wireframe_polylines(filename, wireframe, np);
-  if(internal::is_cad_extension(extension))
+  if (internal::is_cad_extension(extension))
   {
 #ifdef CGAL_WIREFRAME_EXTRACTION_USE_OCCT
-    if(extension == ".brep")
+    if (extension == ".brep")
       return write_wireframe_brep(filename, wireframe, np);
     return extension == ".step" || extension == ".stp" ? write_wireframe_step(filename, wireframe, np)
                                                        : write_wireframe_iges(filename, wireframe, np);
 #else
-    return internal::report(np, filename + ": " + extension + " needs OpenCASCADE, without which this program was "
+    return internal::report(np,
+                            filename + ": " + extension
+                              + " needs OpenCASCADE, without which this program was "
                                 "built; link the CMake target CGAL::Wireframe_extraction_OCCT "
                                 "(Debian: libocct-data-exchange-dev)");
 #endif
   }
-  return internal::report(np, filename + ": unknown extension " + internal::quote(extension)
-                              + " of a wireframe; known are " + internal::known_wireframe_extensions());
+  return internal::report(np,
+                          filename + ": unknown extension " + internal::quote(extension) + " of a wireframe; known are "
+                            + internal::known_wireframe_extensions());
 }
 
 } // namespace IO

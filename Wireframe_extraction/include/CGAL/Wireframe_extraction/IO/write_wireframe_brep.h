@@ -31,14 +31,16 @@ template <class GeomTraits, class NamedParameters>
 bool write_brep(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, const NamedParameters& np,
                 std::string& error)
 {
-  return write_with_opencascade(out, [&](Opencascade_session&, std::ostream& text, std::string& problem)
-  {
-    Wireframe_shape shape;
-    if(!make_shape(wireframe, get_geom_traits<GeomTraits>(np), shape, problem))
-      return false;
-    BRepTools::Write(shape.compound, text);
-    return true;
-  }, error);
+  return write_with_opencascade(
+    out,
+    [&](Opencascade_session&, std::ostream& text, std::string& problem) {
+      Wireframe_shape shape;
+      if (!make_shape(wireframe, get_geom_traits<GeomTraits>(np), shape, problem))
+        return false;
+      BRepTools::Write(shape.compound, text);
+      return true;
+    },
+    error);
 }
 
 } // namespace internal
@@ -87,10 +89,8 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_brep(std::ostream& stream, const CGAL::Wireframe<GeomTraits>& wireframe,
                           const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_stream(stream, np, [&](std::ostream& out, std::string& error)
-  {
-    return internal::write_brep(out, wireframe, np, error);
-  });
+  return internal::write_to_stream(
+    stream, np, [&](std::ostream& out, std::string& error) { return internal::write_brep(out, wireframe, np, error); });
 }
 
 /// \ingroup PkgWireframeExtractionIO
@@ -129,8 +129,7 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_brep(const std::string& filename, const CGAL::Wireframe<GeomTraits>& wireframe,
                           const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error)
-  {
+  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error) {
     return internal::write_brep(out, wireframe, np, error);
   });
 }

@@ -51,7 +51,7 @@ public:
 
   void add_empty(int count)
   {
-    for(; count > 0; --count)
+    for (; count > 0; --count)
       add(std::string());
   }
 
@@ -78,7 +78,7 @@ void add_csv_line(const Wireframe_curve<GeomTraits>& curve, const GeomTraits& tr
   const Spline_vector begin = vector_of(curve.spline.control_points().front(), traits);
   const Spline_vector end = vector_of(curve.spline.control_points().back(), traits);
   row.add(0.5 * begin + 0.5 * end);
-  if(norm(end - begin) > 0.)
+  if (norm(end - begin) > 0.)
     row.add(unit_vector(end - begin));
   else
     row.add_empty(3);
@@ -91,7 +91,7 @@ void add_csv_conic(const Wireframe_conic<GeomTraits>& conic, const GeomTraits& t
   row.add(vector_of(conic.center, traits));
   row.add(vector_of(conic.axis, traits));
   row.add(vector_of(conic.major_direction, traits));
-  for(const auto& value : { conic.major_radius, conic.minor_radius, conic.start_angle, conic.end_angle })
+  for (const auto& value : {conic.major_radius, conic.minor_radius, conic.start_angle, conic.end_angle})
     row.add(CGAL::to_double(value));
 }
 
@@ -102,24 +102,24 @@ std::string csv_row(std::size_t index, const Wireframe_curve<GeomTraits>& curve,
   row.add(std::to_string(index));
   row.add(std::string(name_of(curve.type)));
   row.add(std::string(curve.is_closed() ? "true" : "false"));
-  for(const std::size_t vertex : { curve.source, curve.target })
+  for (const std::size_t vertex : {curve.source, curve.target})
     row.add(vertex == Wireframe_curve<GeomTraits>::no_vertex ? std::string() : std::to_string(vertex));
   row.add(CGAL::to_double(curve.spline.length()));
   const auto& uncertainty = curve.uncertainty;
-  if(is_conic(curve.type))
+  if (is_conic(curve.type))
     add_csv_conic(curve.conic, traits, row);
-  else if(curve.type == Wireframe_curve_type::LINE)
+  else if (curve.type == Wireframe_curve_type::LINE)
     add_csv_line(curve, traits, row);
   else
     row.add_empty(13);
-  if(curve.type == Wireframe_curve_type::BSPLINE)
+  if (curve.type == Wireframe_curve_type::BSPLINE)
     row.add_empty(2);
   else
   {
     row.add(CGAL::to_double(uncertainty.position));
     row.add(CGAL::to_double(uncertainty.direction));
   }
-  if(is_conic(curve.type))
+  if (is_conic(curve.type))
   {
     row.add(CGAL::to_double(uncertainty.major_radius));
     row.add(CGAL::to_double(uncertainty.minor_radius));
@@ -138,16 +138,16 @@ bool write_csv(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
 {
   const GeomTraits traits = get_geom_traits<GeomTraits>(np);
   error = wireframe_problem(wireframe, traits);
-  if(!error.empty())
+  if (!error.empty())
     return false;
-  for(std::size_t i = 0; i < wireframe.curves.size(); ++i)
-    if(!std::isfinite(CGAL::to_double(wireframe.curves[i].spline.length())))
+  for (std::size_t i = 0; i < wireframe.curves.size(); ++i)
+    if (!std::isfinite(CGAL::to_double(wireframe.curves[i].spline.length())))
     {
       error = "curve " + std::to_string(i) + " is too long for its length to be a number; scale the wireframe down";
       return false;
     }
   out << csv_header();
-  for(std::size_t i = 0; i < wireframe.curves.size(); ++i)
+  for (std::size_t i = 0; i < wireframe.curves.size(); ++i)
     out << csv_row(i, wireframe.curves[i], traits);
   return true;
 }
@@ -197,10 +197,8 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_csv(std::ostream& stream, const CGAL::Wireframe<GeomTraits>& wireframe,
                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_stream(stream, np, [&](std::ostream& out, std::string& error)
-  {
-    return internal::write_csv(out, wireframe, np, error);
-  });
+  return internal::write_to_stream(
+    stream, np, [&](std::ostream& out, std::string& error) { return internal::write_csv(out, wireframe, np, error); });
 }
 
 /// \ingroup PkgWireframeExtractionIO
@@ -238,8 +236,7 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_csv(const std::string& filename, const CGAL::Wireframe<GeomTraits>& wireframe,
                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error)
-  {
+  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error) {
     return internal::write_csv(out, wireframe, np, error);
   });
 }

@@ -45,9 +45,9 @@ public:
 
   void add(const CGAL::Wireframe<GeomTraits>& wireframe)
   {
-    for(const auto& vertex : wireframe.vertices)
+    for (const auto& vertex : wireframe.vertices)
       add_vertex(vector_of(vertex, traits_));
-    for(const Curve& curve : wireframe.curves)
+    for (const Curve& curve : wireframe.curves)
       add_curve(curve);
   }
 
@@ -75,9 +75,9 @@ private:
   void add_curve(const Curve& curve)
   {
     // the curve does not leave the hull of its control points
-    for(const auto& point : curve.spline.control_points())
+    for (const auto& point : curve.spline.control_points())
       extent_.add(vector_of(point, traits_));
-    switch(curve.type)
+    switch (curve.type)
     {
     case Wireframe_curve_type::LINE: return add_line(curve);
     case Wireframe_curve_type::CIRCLE:
@@ -102,14 +102,14 @@ private:
     const Orthonormal_conic conic = orthonormal_conic(curve, traits_);
     const Spline_vector n = conic.axis;
     const bool is_steep = std::abs(n.x) < 1. / 64. && std::abs(n.y) < 1. / 64.;
-    const Spline_vector x = unit_vector(cross(is_steep ? Spline_vector{ 0., 1., 0. } : Spline_vector{ 0., 0., 1. }, n));
+    const Spline_vector x = unit_vector(cross(is_steep ? Spline_vector{0., 1., 0.} : Spline_vector{0., 0., 1.}, n));
     const Spline_vector y = unit_vector(cross(n, x));
     start(conic.is_full ? "CIRCLE" : "ARC", dxf_layer_of(curve.type));
     dxf_.add(100, "AcDbCircle");
-    dxf_.add(10, Spline_vector{ dot(conic.center, x), dot(conic.center, y), dot(conic.center, n) });
+    dxf_.add(10, Spline_vector{dot(conic.center, x), dot(conic.center, y), dot(conic.center, n)});
     dxf_.add(40, conic.major_radius);
     dxf_.add(210, n);
-    if(conic.is_full)
+    if (conic.is_full)
       return;
     const double begin = std::atan2(dot(conic.x, y), dot(conic.x, x)) + conic.start_angle;
     dxf_.add(100, "AcDbArc");
@@ -121,7 +121,7 @@ private:
   {
     const Orthonormal_conic conic = orthonormal_conic(curve, traits_);
     // the format has no flatter ones
-    if(conic.minor_radius < 1e-6 * conic.major_radius)
+    if (conic.minor_radius < 1e-6 * conic.major_radius)
       return add_spline(curve.type, curve.spline);
     start("ELLIPSE", dxf_layer_of(curve.type));
     dxf_.add(100, "AcDbEllipse");
@@ -142,11 +142,11 @@ private:
     dxf_.add(72, spline.knots().size());
     dxf_.add(73, spline.control_points().size());
     dxf_.add(74, 0);
-    for(const auto& knot : spline.knots())
+    for (const auto& knot : spline.knots())
       dxf_.add(40, CGAL::to_double(knot));
-    for(const auto& weight : spline.weights())
+    for (const auto& weight : spline.weights())
       dxf_.add(41, CGAL::to_double(weight));
-    for(const auto& point : spline.control_points())
+    for (const auto& point : spline.control_points())
       dxf_.add(10, vector_of(point, traits_));
   }
 
@@ -176,7 +176,7 @@ bool write_dxf(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
 {
   const GeomTraits traits = get_geom_traits<GeomTraits>(np);
   error = wireframe_problem(wireframe, traits);
-  if(!error.empty())
+  if (!error.empty())
     return false;
   Dxf_entities<GeomTraits> entities(traits);
   entities.add(wireframe);
@@ -188,7 +188,7 @@ bool write_dxf(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
   after.add("0 ENDSEC");
   add_dxf_objects(after);
   // the middle of a box, or coordinates in a plane, may be out of range where those of the wireframe are not
-  if(before.is_finite() && entities.dxf().is_finite())
+  if (before.is_finite() && entities.dxf().is_finite())
     out << before.text() << entities.dxf().text() << after.text();
   else
     error = "the wireframe is too large for this format; scale it down";
@@ -246,10 +246,8 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_dxf(std::ostream& stream, const CGAL::Wireframe<GeomTraits>& wireframe,
                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_stream(stream, np, [&](std::ostream& out, std::string& error)
-  {
-    return internal::write_dxf(out, wireframe, np, error);
-  });
+  return internal::write_to_stream(
+    stream, np, [&](std::ostream& out, std::string& error) { return internal::write_dxf(out, wireframe, np, error); });
 }
 
 /// \ingroup PkgWireframeExtractionIO
@@ -293,8 +291,7 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_dxf(const std::string& filename, const CGAL::Wireframe<GeomTraits>& wireframe,
                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error)
-  {
+  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error) {
     return internal::write_dxf(out, wireframe, np, error);
   });
 }

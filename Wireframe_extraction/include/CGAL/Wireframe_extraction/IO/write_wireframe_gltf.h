@@ -48,11 +48,11 @@ public:
   bool add(const CGAL::Wireframe<GeomTraits>& wireframe, std::string& error)
   {
     std::vector<std::size_t> indices(wireframe.vertices.size());
-    for(std::size_t i = 0; i < indices.size(); ++i)
+    for (std::size_t i = 0; i < indices.size(); ++i)
       indices[i] = i;
-    if(!indices.empty())
+    if (!indices.empty())
       add_node("vertices", "", indices, 0, all_curve_types().size());
-    for(std::size_t i = 0; i < wireframe.curves.size(); ++i)
+    for (std::size_t i = 0; i < wireframe.curves.size(); ++i)
     {
       const auto& curve = wireframe.curves[i];
       const std::size_t kind = static_cast<std::size_t>(
@@ -60,9 +60,9 @@ public:
       add_node("curve_" + std::to_string(i) + "_" + name_of(curve.type), extras_of(i, curve), sampled_.polylines[i], 3,
                kind);
     }
-    if(!is_finite_)
+    if (!is_finite_)
       error = "the wireframe is too large for the single precision of glTF; scale it down";
-    else if(bytes_.size() > 0xF0000000u)
+    else if (bytes_.size() > 0xF0000000u)
       error = "there are more points than a glTF file can hold; give a larger sampling_step";
     return error.empty();
   }
@@ -72,22 +72,25 @@ public:
   {
     std::string text = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"Wireframe_extraction\"},\n\"scene\":0,"
                        "\"scenes\":[{\"name\":\"wireframe\"";
-    if(nodes_.empty())
+    if (nodes_.empty())
       return text + "}]}\n";
     Coordinates place = center_;
-    for(double& coordinate : place)
+    for (double& coordinate : place)
       coordinate *= meters_per_unit;
-    const Coordinates scale = { { meters_per_unit, meters_per_unit, meters_per_unit } };
+    const Coordinates scale = {{meters_per_unit, meters_per_unit, meters_per_unit}};
     std::string children;
-    for(std::size_t i = 0; i < number_of_nodes_; ++i)
+    for (std::size_t i = 0; i < number_of_nodes_; ++i)
       children += (i == 0 ? "" : ",") + std::to_string(i + 1);
     text += ",\"nodes\":[0]}],\n\"extensionsUsed\":[\"KHR_materials_unlit\"],\n\"nodes\":[{\"name\":\"wireframe\","
-            "\"translation\":" + json_array(place, json_number) + ",\"scale\":" + json_array(scale, json_number)
-            + ",\"children\":[" + children + "]}" + nodes_ + "],\n\"meshes\":[" + meshes_ + "],\n\"accessors\":["
-            + accessors_ + "],\n\"materials\":[" + materials() + "],\n"
-            "\"bufferViews\":[{\"buffer\":0,\"byteLength\":" + std::to_string(bytes_.size())
-            + ",\"byteStride\":12,\"target\":34962}],\n\"buffers\":[{\"byteLength\":" + std::to_string(bytes_.size());
-    if(!uri.empty())
+            "\"translation\":"
+      + json_array(place, json_number) + ",\"scale\":" + json_array(scale, json_number) + ",\"children\":[" + children
+      + "]}" + nodes_ + "],\n\"meshes\":[" + meshes_ + "],\n\"accessors\":[" + accessors_ + "],\n\"materials\":["
+      + materials()
+      + "],\n"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":"
+      + std::to_string(bytes_.size())
+      + ",\"byteStride\":12,\"target\":34962}],\n\"buffers\":[{\"byteLength\":" + std::to_string(bytes_.size());
+    if (!uri.empty())
       text += ",\"uri\":\"" + uri + "\"";
     return text + "}]}\n";
   }
@@ -98,27 +101,26 @@ private:
   // Single precision is enough around the middle, but not at coordinates that are far off.
   void find_center()
   {
-    if(sampled_.points.empty())
+    if (sampled_.points.empty())
       return;
     Coordinates low = sampled_.points.front(), high = low;
-    for(const Coordinates& point : sampled_.points)
-      for(std::size_t i = 0; i < 3; ++i)
+    for (const Coordinates& point : sampled_.points)
+      for (std::size_t i = 0; i < 3; ++i)
       {
         low[i] = (std::min)(low[i], point[i]);
         high[i] = (std::max)(high[i], point[i]);
       }
-    for(std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3; ++i)
       center_[i] = 0.5 * low[i] + 0.5 * high[i];
   }
 
   template <class GeomTraits>
   static std::string extras_of(std::size_t index, const Wireframe_curve<GeomTraits>& curve)
   {
-    return ",\"extras\":{\"index\":" + std::to_string(index) + ",\"type\":\"" + name_of(curve.type)
-           + "\",\"closed\":" + (curve.is_closed() ? "true" : "false") + ",\"rms\":"
-           + json_number(CGAL::to_double(curve.root_mean_square)) + ",\"max\":"
-           + json_number(CGAL::to_double(curve.maximum_deviation)) + ",\"support\":" + std::to_string(curve.support)
-           + "}";
+    return ",\"extras\":{\"index\":" + std::to_string(index) + ",\"type\":\"" + name_of(curve.type) + "\",\"closed\":"
+      + (curve.is_closed() ? "true" : "false") + ",\"rms\":" + json_number(CGAL::to_double(curve.root_mean_square))
+      + ",\"max\":" + json_number(CGAL::to_double(curve.maximum_deviation))
+      + ",\"support\":" + std::to_string(curve.support) + "}";
   }
 
   // with a mesh of its own; the mode is that of glTF: 0 for points, 3 for a polyline
@@ -127,8 +129,8 @@ private:
   {
     const std::string number = std::to_string(number_of_nodes_), separator = (number_of_nodes_ == 0 ? "\n" : ",\n");
     add_accessor(indices, separator);
-    meshes_ += separator + "{\"primitives\":[{\"attributes\":{\"POSITION\":" + number + "},\"mode\":"
-               + std::to_string(mode) + ",\"material\":" + std::to_string(material) + "}]}";
+    meshes_ += separator + "{\"primitives\":[{\"attributes\":{\"POSITION\":" + number
+      + "},\"mode\":" + std::to_string(mode) + ",\"material\":" + std::to_string(material) + "}]}";
     nodes_ += ",\n{\"name\":\"" + name + "\",\"mesh\":" + number + extras + "}";
     ++number_of_nodes_;
   }
@@ -137,8 +139,8 @@ private:
   {
     const std::size_t offset = bytes_.size();
     std::array<float, 3> low, high;
-    for(std::size_t i = 0; i < indices.size(); ++i)
-      for(std::size_t j = 0; j < 3; ++j)
+    for (std::size_t i = 0; i < indices.size(); ++i)
+      for (std::size_t j = 0; j < 3; ++j)
       {
         const float coordinate = to_float(sampled_.points[indices[i]][j] - center_[j]);
         low[j] = (i == 0) ? coordinate : (std::min)(low[j], coordinate);
@@ -147,14 +149,14 @@ private:
       }
     const auto to_text = [](float value) { return json_number(static_cast<double>(value)); };
     accessors_ += separator + "{\"bufferView\":0,\"byteOffset\":" + std::to_string(offset)
-                  + ",\"componentType\":5126,\"count\":" + std::to_string(indices.size())
-                  + ",\"type\":\"VEC3\",\"min\":" + json_array(low, to_text) + ",\"max\":" + json_array(high, to_text) + "}";
+      + ",\"componentType\":5126,\"count\":" + std::to_string(indices.size())
+      + ",\"type\":\"VEC3\",\"min\":" + json_array(low, to_text) + ",\"max\":" + json_array(high, to_text) + "}";
   }
 
   // a conversion of what is out of range is undefined
   float to_float(double value)
   {
-    if(std::abs(value) < 3.4e38)
+    if (std::abs(value) < 3.4e38)
       return static_cast<float>(value);
     is_finite_ = false;
     return 0.f;
@@ -164,24 +166,24 @@ private:
   static std::string materials()
   {
     std::string text;
-    for(const Wireframe_curve_type type : all_curve_types())
+    for (const Wireframe_curve_type type : all_curve_types())
       text += material(name_of(type), colour_of(type)) + ",";
-    return text + material("vertex", { 0, 0, 0 });
+    return text + material("vertex", {0, 0, 0});
   }
 
   // colours are linear in glTF, and not those of a screen
   static std::string material(const std::string& name, const Colour& colour)
   {
     const auto linear = [](int value) { return json_number(std::round(1e4 * std::pow(value / 255., 2.2)) * 1e-4); };
-    const std::array<int, 3> channels = { { colour.red, colour.green, colour.blue } };
+    const std::array<int, 3> channels = {{colour.red, colour.green, colour.blue}};
     std::string factor = json_array(channels, linear);
     factor.insert(factor.size() - 1, ",1");
     return "\n{\"name\":\"" + name + "\",\"pbrMetallicRoughness\":{\"baseColorFactor\":" + factor
-           + ",\"metallicFactor\":0},\"extensions\":{\"KHR_materials_unlit\":{}}}";
+      + ",\"metallicFactor\":0},\"extensions\":{\"KHR_materials_unlit\":{}}}";
   }
 
   const Sampled_wireframe& sampled_;
-  Coordinates center_ = { { 0., 0., 0. } };
+  Coordinates center_ = {{0., 0., 0.}};
   std::string nodes_, meshes_, accessors_, bytes_;
   std::size_t number_of_nodes_ = 0;
   bool is_finite_ = true;
@@ -197,7 +199,7 @@ inline void write_glb(std::ostream& out, std::string json, const std::string& by
   append_little_endian(static_cast<std::uint32_t>(size), start);
   append_little_endian(static_cast<std::uint32_t>(json.size()), start);
   start += "JSON";
-  if(!bytes.empty()) // which are coordinates of four bytes each
+  if (!bytes.empty()) // which are coordinates of four bytes each
   {
     append_little_endian(static_cast<std::uint32_t>(bytes.size()), middle);
     middle += std::string("BIN\0", 4);
@@ -210,13 +212,13 @@ bool write_gltf(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
                 const NamedParameters& np, std::string& error)
 {
   Sampled_wireframe sampled;
-  if(!sample_wireframe(wireframe, np, sampled, error))
+  if (!sample_wireframe(wireframe, np, sampled, error))
     return false;
   Gltf_scene scene(sampled);
-  if(!scene.add(wireframe, error))
+  if (!scene.add(wireframe, error))
     return false;
   const double meters = meters_of(get_length_unit(np));
-  if(is_binary)
+  if (is_binary)
     write_glb(out, scene.json(meters, ""), scene.bytes());
   else
     out << scene.json(meters, "data:application/octet-stream;base64," + to_base64(scene.bytes()));
@@ -289,11 +291,10 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_gltf(std::ostream& stream, const CGAL::Wireframe<GeomTraits>& wireframe,
                           const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_stream(stream, np, [&](std::ostream& out, std::string& error)
-  {
+  return internal::write_to_stream(stream, np, [&](std::ostream& out, std::string& error) {
     namespace internal_np = CGAL::Wireframe_extraction::internal_np;
-    const bool is_binary = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(np, internal_np::use_binary_mode), false);
+    const bool is_binary =
+      CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::use_binary_mode), false);
     return internal::write_gltf(out, wireframe, is_binary, np, error);
   });
 }
@@ -348,8 +349,7 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_gltf(const std::string& filename, const CGAL::Wireframe<GeomTraits>& wireframe,
                           const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error)
-  {
+  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error) {
     return internal::write_gltf(out, wireframe, internal::lower_extension(filename) == ".glb", np, error);
   });
 }

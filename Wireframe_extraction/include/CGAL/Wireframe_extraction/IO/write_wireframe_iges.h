@@ -28,8 +28,8 @@
 #include <IGESGeom_ConicArc.hxx>
 #include <IGESGeom_TransformationMatrix.hxx>
 #include <IGESSelect_WorkLibrary.hxx>
-#include <TCollection_HAsciiString.hxx>
 #include <TColStd_HArray2OfReal.hxx>
+#include <TCollection_HAsciiString.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <UnitsMethods.hxx>
@@ -52,11 +52,11 @@ inline Handle(IGESGeom_ConicArc) make_iges_ellipse(const TopoDS_Edge& edge)
   const Handle(Geom_Ellipse) ellipse = Handle(Geom_Ellipse)::DownCast(BRep_Tool::Curve(edge, first, last));
   const double a = ellipse->MajorRadius(), b = ellipse->MinorRadius();
   const gp_Ax2& axes = ellipse->Position();
-  const gp_XYZ columns[4] = { axes.XDirection().XYZ(), axes.YDirection().XYZ(), axes.Direction().XYZ(),
-                              axes.Location().XYZ() };
+  const gp_XYZ columns[4] = {axes.XDirection().XYZ(), axes.YDirection().XYZ(), axes.Direction().XYZ(),
+                             axes.Location().XYZ()};
   const Handle(TColStd_HArray2OfReal) matrix = new TColStd_HArray2OfReal(1, 3, 1, 4);
-  for(int row = 1; row <= 3; ++row)
-    for(int column = 1; column <= 4; ++column)
+  for (int row = 1; row <= 3; ++row)
+    for (int column = 1; column <= 4; ++column)
       matrix->SetValue(row, column, columns[column - 1].Coord(row));
   const Handle(IGESGeom_TransformationMatrix) placement = new IGESGeom_TransformationMatrix;
   placement->Init(matrix);
@@ -67,7 +67,7 @@ inline Handle(IGESGeom_ConicArc) make_iges_ellipse(const TopoDS_Edge& edge)
 }
 
 // nothing of the time or the place, so that the same wireframe gives the same file
-inline void set_iges_header(const Handle(IGESData_IGESModel)& model, const Wireframe_shape& shape)
+inline void set_iges_header(const Handle(IGESData_IGESModel) & model, const Wireframe_shape& shape)
 {
   const auto text = [](const char* value) { return new TCollection_HAsciiString(value); };
   IGESData_GlobalSection header = model->GlobalSection();
@@ -90,38 +90,40 @@ bool write_iges(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
 {
   namespace internal_np = CGAL::Wireframe_extraction::internal_np;
   typedef Wireframe_extraction::Length_unit Unit;
-  const Unit unit = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, internal_np::unit), Unit::MILLIMETER);
-  return write_with_opencascade(out, [&](Opencascade_session& session, std::ostream& text, std::string& problem)
-  {
-    Wireframe_shape shape;
-    if(!make_shape(wireframe, get_geom_traits<GeomTraits>(np), shape, problem))
-      return false;
-    IGESControl_Controller::Init();
-    session.set_unit("write.iges.unit", unit);
-    IGESControl_Writer writer(opencascade_name_of(unit), 0);
-    const Handle(IGESData_IGESModel) model = writer.Model();
-    IGESData_GlobalSection header = model->GlobalSection();
-    header.SetCascadeUnit(UnitsMethods::GetCasCadeLengthUnit());
-    model->SetGlobalSection(header);
-    TopoDS_Iterator child(shape.compound);
-    for(std::size_t i = 0; i < shape.children.size(); ++i, child.Next())
-    {
-      const std::size_t curve = shape.children[i].path.front().first;
-      const bool is_ellipse = wireframe.curves[curve].type == Wireframe_curve_type::ELLIPSE;
-      if(is_ellipse ? !writer.AddEntity(make_iges_ellipse(shape.edges[curve])) : !writer.AddShape(child.Value()))
-      {
-        problem = "curve " + std::to_string(curve) + ": OpenCASCADE cannot translate it to IGES";
+  const Unit unit =
+    CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::unit), Unit::MILLIMETER);
+  return write_with_opencascade(
+    out,
+    [&](Opencascade_session& session, std::ostream& text, std::string& problem) {
+      Wireframe_shape shape;
+      if (!make_shape(wireframe, get_geom_traits<GeomTraits>(np), shape, problem))
         return false;
+      IGESControl_Controller::Init();
+      session.set_unit("write.iges.unit", unit);
+      IGESControl_Writer writer(opencascade_name_of(unit), 0);
+      const Handle(IGESData_IGESModel) model = writer.Model();
+      IGESData_GlobalSection header = model->GlobalSection();
+      header.SetCascadeUnit(UnitsMethods::GetCasCadeLengthUnit());
+      model->SetGlobalSection(header);
+      TopoDS_Iterator child(shape.compound);
+      for (std::size_t i = 0; i < shape.children.size(); ++i, child.Next())
+      {
+        const std::size_t curve = shape.children[i].path.front().first;
+        const bool is_ellipse = wireframe.curves[curve].type == Wireframe_curve_type::ELLIPSE;
+        if (is_ellipse ? !writer.AddEntity(make_iges_ellipse(shape.edges[curve])) : !writer.AddShape(child.Value()))
+        {
+          problem = "curve " + std::to_string(curve) + ": OpenCASCADE cannot translate it to IGES";
+          return false;
+        }
       }
-    }
-    set_iges_header(model, shape);
-    writer.ComputeModel();
-    IGESData_IGESWriter iges(model);
-    iges.FloatWriter().SetFormat(opencascade_number_format());
-    iges.SendModel(IGESSelect_WorkLibrary::DefineProtocol());
-    return static_cast<bool>(iges.Print(text));
-  }, error);
+      set_iges_header(model, shape);
+      writer.ComputeModel();
+      IGESData_IGESWriter iges(model);
+      iges.FloatWriter().SetFormat(opencascade_number_format());
+      iges.SendModel(IGESSelect_WorkLibrary::DefineProtocol());
+      return static_cast<bool>(iges.Print(text));
+    },
+    error);
 }
 
 } // namespace internal
@@ -176,10 +178,8 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_iges(std::ostream& stream, const CGAL::Wireframe<GeomTraits>& wireframe,
                           const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_stream(stream, np, [&](std::ostream& out, std::string& error)
-  {
-    return internal::write_iges(out, wireframe, np, error);
-  });
+  return internal::write_to_stream(
+    stream, np, [&](std::ostream& out, std::string& error) { return internal::write_iges(out, wireframe, np, error); });
 }
 
 /// \ingroup PkgWireframeExtractionIO
@@ -224,8 +224,7 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_iges(const std::string& filename, const CGAL::Wireframe<GeomTraits>& wireframe,
                           const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error)
-  {
+  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error) {
     return internal::write_iges(out, wireframe, np, error);
   });
 }

@@ -33,7 +33,7 @@ template <class GeomTraits>
 std::string obj_comment(const CGAL::Wireframe<GeomTraits>& wireframe)
 {
   return "# wireframe: " + plural(wireframe.vertices.size(), "vertex", "vertices") + ", "
-         + plural(wireframe.curves.size(), "curve", "curves") + "\n";
+    + plural(wireframe.curves.size(), "curve", "curves") + "\n";
 }
 
 inline std::string obj_group(std::size_t index, Wireframe_curve_type type)
@@ -55,13 +55,13 @@ public:
   void write(const CGAL::Wireframe<GeomTraits>& wireframe)
   {
     out_ << obj_comment(wireframe);
-    for(const auto& vertex : wireframe.vertices)
+    for (const auto& vertex : wireframe.vertices)
       out_ << "v " << to_text(coordinates_of(vertex, traits_)) << "\n";
     number_of_points_ = wireframe.vertices.size();
-    for(std::size_t i = 0; i < wireframe.curves.size(); ++i)
+    for (std::size_t i = 0; i < wireframe.curves.size(); ++i)
     {
       const Curve& curve = wireframe.curves[i];
-      if(curve.type == Wireframe_curve_type::LINE)
+      if (curve.type == Wireframe_curve_type::LINE)
         write_line(i, curve);
       else
         write_spline(i, curve, is_conic(curve.type) ? curve.conic.to_spline(curve.is_closed(), traits_) : curve.spline);
@@ -82,7 +82,7 @@ private:
     const std::size_t last = spline.control_points().size() - 1;
     const std::string first_point = end_point(curve.source, spline, 0);
     std::string points = first_point;
-    for(std::size_t i = 1; i < last; ++i)
+    for (std::size_t i = 1; i < last; ++i)
       points += " " + new_point(spline, i);
     const bool ends_where_it_starts = spline.is_closed() && curve.target == Curve::no_vertex
       && (!spline.is_rational() || spline.weights().front() == spline.weights().back());
@@ -90,7 +90,7 @@ private:
     out_ << obj_group(index, curve.type) << "cstype " << (spline.is_rational() ? "rat " : "") << "bspline\ndeg "
          << std::to_string(spline.degree()) << "\ncurv " << text(spline.parameter_range().first) << " "
          << text(spline.parameter_range().second) << " " << points << "\nparm u";
-    for(const auto& knot : spline.knots())
+    for (const auto& knot : spline.knots())
       out_ << " " << text(knot);
     out_ << "\nend\n";
   }
@@ -105,14 +105,17 @@ private:
   std::string new_point(const Spline& spline, std::size_t i)
   {
     out_ << "v " << to_text(coordinates_of(spline.control_points()[i], traits_));
-    if(spline.is_rational())
+    if (spline.is_rational())
       out_ << " " << text(spline.weights()[i]);
     out_ << "\n";
     return std::to_string(++number_of_points_);
   }
 
   template <class FT>
-  static std::string text(const FT& value) { return number_to_string(CGAL::to_double(value)); }
+  static std::string text(const FT& value)
+  {
+    return number_to_string(CGAL::to_double(value));
+  }
 
   std::ostream& out_;
   const GeomTraits& traits_;
@@ -124,15 +127,15 @@ bool write_obj_polylines(std::ostream& out, const CGAL::Wireframe<GeomTraits>& w
                          std::string& error)
 {
   Sampled_wireframe sampled;
-  if(!sample_wireframe(wireframe, np, sampled, error))
+  if (!sample_wireframe(wireframe, np, sampled, error))
     return false;
   out << obj_comment(wireframe);
-  for(const Coordinates& point : sampled.points)
+  for (const Coordinates& point : sampled.points)
     out << "v " << to_text(point) << "\n";
-  for(std::size_t i = 0; i < sampled.polylines.size(); ++i)
+  for (std::size_t i = 0; i < sampled.polylines.size(); ++i)
   {
     out << obj_group(i, wireframe.curves[i].type) << "l";
-    for(const std::size_t index : sampled.polylines[i])
+    for (const std::size_t index : sampled.polylines[i])
       out << " " << std::to_string(index + 1);
     out << "\n";
   }
@@ -144,11 +147,11 @@ bool write_obj(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
                std::string& error)
 {
   namespace internal_np = CGAL::Wireframe_extraction::internal_np;
-  if(!CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::obj_splines), false))
+  if (!CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::obj_splines), false))
     return write_obj_polylines(out, wireframe, np, error);
   const GeomTraits traits = get_geom_traits<GeomTraits>(np);
   error = wireframe_problem(wireframe, traits);
-  if(error.empty())
+  if (error.empty())
     Obj_spline_writer<GeomTraits>(out, traits).write(wireframe);
   return error.empty();
 }
@@ -214,10 +217,8 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_obj(std::ostream& stream, const CGAL::Wireframe<GeomTraits>& wireframe,
                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_stream(stream, np, [&](std::ostream& out, std::string& error)
-  {
-    return internal::write_obj(out, wireframe, np, error);
-  });
+  return internal::write_to_stream(
+    stream, np, [&](std::ostream& out, std::string& error) { return internal::write_obj(out, wireframe, np, error); });
 }
 
 /// \ingroup PkgWireframeExtractionIO
@@ -269,8 +270,7 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_obj(const std::string& filename, const CGAL::Wireframe<GeomTraits>& wireframe,
                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error)
-  {
+  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error) {
     return internal::write_obj(out, wireframe, np, error);
   });
 }

@@ -42,20 +42,19 @@ inline void write_ply_header(std::ostream& out, const Sampled_wireframe& sampled
 inline void write_ply_point(std::ostream& out, const Coordinates& point, bool is_binary)
 {
   std::string text;
-  if(is_binary)
-    for(const double coordinate : point)
+  if (is_binary)
+    for (const double coordinate : point)
       append_little_endian(coordinate, text);
   else
     text = to_text(point) + "\n";
   out << text;
 }
 
-inline void write_ply_edge(std::ostream& out, std::size_t first, std::size_t second, std::size_t curve,
-                           bool is_binary)
+inline void write_ply_edge(std::ostream& out, std::size_t first, std::size_t second, std::size_t curve, bool is_binary)
 {
   std::string text;
-  if(is_binary)
-    for(const std::size_t index : { first, second, curve })
+  if (is_binary)
+    for (const std::size_t index : {first, second, curve})
       append_little_endian(static_cast<std::uint32_t>(index), text);
   else
     text = std::to_string(first) + " " + std::to_string(second) + " " + std::to_string(curve) + "\n";
@@ -67,24 +66,24 @@ bool write_ply(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
                std::string& error)
 {
   namespace internal_np = CGAL::Wireframe_extraction::internal_np;
-  const bool is_binary = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, internal_np::use_binary_mode), true);
+  const bool is_binary =
+    CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::use_binary_mode), true);
   Sampled_wireframe sampled;
-  if(!sample_wireframe(wireframe, np, sampled, error))
+  if (!sample_wireframe(wireframe, np, sampled, error))
     return false;
-  if(sampled.points.size() > static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)()))
+  if (sampled.points.size() > static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)()))
   {
     error = "there are more points than a PLY file can number; give a larger sampling_step";
     return false;
   }
   std::size_t number_of_edges = 0;
-  for(const std::vector<std::size_t>& polyline : sampled.polylines)
+  for (const std::vector<std::size_t>& polyline : sampled.polylines)
     number_of_edges += polyline.size() - 1;
   write_ply_header(out, sampled, number_of_edges, is_binary);
-  for(const Coordinates& point : sampled.points)
+  for (const Coordinates& point : sampled.points)
     write_ply_point(out, point, is_binary);
-  for(std::size_t i = 0; i < sampled.polylines.size(); ++i)
-    for(std::size_t j = 0; j + 1 < sampled.polylines[i].size(); ++j)
+  for (std::size_t i = 0; i < sampled.polylines.size(); ++i)
+    for (std::size_t j = 0; j + 1 < sampled.polylines[i].size(); ++j)
       write_ply_edge(out, sampled.polylines[i][j], sampled.polylines[i][j + 1], i, is_binary);
   return true;
 }
@@ -140,10 +139,8 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_ply(std::ostream& stream, const CGAL::Wireframe<GeomTraits>& wireframe,
                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_stream(stream, np, [&](std::ostream& out, std::string& error)
-  {
-    return internal::write_ply(out, wireframe, np, error);
-  });
+  return internal::write_to_stream(
+    stream, np, [&](std::ostream& out, std::string& error) { return internal::write_ply(out, wireframe, np, error); });
 }
 
 /// \ingroup PkgWireframeExtractionIO
@@ -194,8 +191,7 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_ply(const std::string& filename, const CGAL::Wireframe<GeomTraits>& wireframe,
                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error)
-  {
+  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error) {
     return internal::write_ply(out, wireframe, np, error);
   });
 }

@@ -27,17 +27,16 @@ namespace IO {
 namespace internal {
 
 template <class GeomTraits, class NamedParameters>
-bool write_polylines(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
-                     const NamedParameters& np,
+bool write_polylines(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, const NamedParameters& np,
                      std::string& error)
 {
   Sampled_wireframe sampled;
-  if(!sample_wireframe(wireframe, np, sampled, error))
+  if (!sample_wireframe(wireframe, np, sampled, error))
     return false;
-  for(const std::vector<std::size_t>& polyline : sampled.polylines)
+  for (const std::vector<std::size_t>& polyline : sampled.polylines)
   {
     out << std::to_string(polyline.size());
-    for(const std::size_t index : polyline)
+    for (const std::size_t index : polyline)
       out << " " << to_text(sampled.points[index]);
     out << "\n";
   }
@@ -90,8 +89,7 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_polylines(std::ostream& stream, const CGAL::Wireframe<GeomTraits>& wireframe,
                                const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_stream(stream, np, [&](std::ostream& out, std::string& error)
-  {
+  return internal::write_to_stream(stream, np, [&](std::ostream& out, std::string& error) {
     return internal::write_polylines(out, wireframe, np, error);
   });
 }
@@ -139,8 +137,7 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_polylines(const std::string& filename, const CGAL::Wireframe<GeomTraits>& wireframe,
                                const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error)
-  {
+  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error) {
     return internal::write_polylines(out, wireframe, np, error);
   });
 }

@@ -53,11 +53,10 @@ inline Handle(TCollection_HAsciiString) step_text(const std::string& text)
 }
 
 // nothing of the time or the place, so that the same wireframe gives the same file
-inline void set_step_header(const Handle(StepData_StepModel)& model)
+inline void set_step_header(const Handle(StepData_StepModel) & model)
 {
   APIHeaderSection_MakeHeader header(model);
-  const auto list = [](const char* text)
-  {
+  const auto list = [](const char* text) {
     const Handle(Interface_HArray1OfHAsciiString) array = new Interface_HArray1OfHAsciiString(1, 1);
     array->SetValue(1, step_text(text));
     return array;
@@ -72,21 +71,21 @@ inline void set_step_header(const Handle(StepData_StepModel)& model)
 }
 
 // the curves of the model, which are in the order in which the shape has them
-inline Handle(StepShape_GeometricCurveSet) find_step_curves(const Handle(StepData_StepModel)& model)
+inline Handle(StepShape_GeometricCurveSet) find_step_curves(const Handle(StepData_StepModel) & model)
 {
   Handle(StepShape_GeometricCurveSet) set;
-  for(int i = 1; i <= model->NbEntities() && set.IsNull(); ++i)
+  for (int i = 1; i <= model->NbEntities() && set.IsNull(); ++i)
     set = Handle(StepShape_GeometricCurveSet)::DownCast(model->Value(i));
   return set;
 }
 
 // OpenCASCADE counts the products of a process in their names.
-inline void name_step_products(const Handle(StepData_StepModel)& model)
+inline void name_step_products(const Handle(StepData_StepModel) & model)
 {
-  for(int i = 1; i <= model->NbEntities(); ++i)
+  for (int i = 1; i <= model->NbEntities(); ++i)
   {
     const Handle(StepBasic_Product) product = Handle(StepBasic_Product)::DownCast(model->Value(i));
-    if(product.IsNull())
+    if (product.IsNull())
       continue;
     product->SetId(step_text("wireframe"));
     product->SetName(step_text("wireframe"));
@@ -94,12 +93,12 @@ inline void name_step_products(const Handle(StepData_StepModel)& model)
 }
 
 // a closed wire, of which OpenCASCADE writes the curves only
-inline Handle(StepGeom_CompositeCurve) make_step_loop(const std::vector<Handle(StepGeom_Curve)>& curves,
-                                                      const Wireframe_shape::Path& path)
+inline Handle(StepGeom_CompositeCurve)
+  make_step_loop(const std::vector<Handle(StepGeom_Curve)>& curves, const Wireframe_shape::Path& path)
 {
   const Handle(StepGeom_HArray1OfCompositeCurveSegment) segments =
     new StepGeom_HArray1OfCompositeCurveSegment(1, int(path.size()));
-  for(std::size_t i = 0; i < path.size(); ++i)
+  for (std::size_t i = 0; i < path.size(); ++i)
   {
     const Handle(StepGeom_CompositeCurveSegment) segment = new StepGeom_CompositeCurveSegment;
     segment->Init(StepGeom_tcContinuous, !path[i].second, curves[i]);
@@ -112,11 +111,11 @@ inline Handle(StepGeom_CompositeCurve) make_step_loop(const std::vector<Handle(S
 
 // Gives the curves their names, and makes one curve of those that form a closed wire.
 template <class GeomTraits>
-bool arrange_step_curves(const Handle(StepData_StepModel)& model, const CGAL::Wireframe<GeomTraits>& wireframe,
+bool arrange_step_curves(const Handle(StepData_StepModel) & model, const CGAL::Wireframe<GeomTraits>& wireframe,
                          const Wireframe_shape& shape, std::string& error)
 {
   const Handle(StepShape_GeometricCurveSet) set = find_step_curves(model);
-  if(set.IsNull() || set->NbElements() != int(shape.edges.size()))
+  if (set.IsNull() || set->NbElements() != int(shape.edges.size()))
   {
     error = "OpenCASCADE has not made a STEP curve of every curve";
     return false;
@@ -124,18 +123,18 @@ bool arrange_step_curves(const Handle(StepData_StepModel)& model, const CGAL::Wi
   const Handle(StepShape_HArray1OfGeometricSetSelect) elements =
     new StepShape_HArray1OfGeometricSetSelect(1, int(shape.children.size()));
   int next = 1;
-  for(std::size_t i = 0; i < shape.children.size(); ++i)
+  for (std::size_t i = 0; i < shape.children.size(); ++i)
   {
     const Wireframe_shape::Path& path = shape.children[i].path;
     std::vector<Handle(StepGeom_Curve)> curves;
-    for(const auto& step : path)
+    for (const auto& step : path)
     {
       curves.push_back(set->ElementsValue(next++).Curve());
-      curves.back()->SetName(step_text("curve_" + std::to_string(step.first) + "_"
-                                       + name_of(wireframe.curves[step.first].type)));
+      curves.back()->SetName(
+        step_text("curve_" + std::to_string(step.first) + "_" + name_of(wireframe.curves[step.first].type)));
     }
     StepShape_GeometricSetSelect element;
-    if(path.size() == 1)
+    if (path.size() == 1)
       element.SetValue(curves.front());
     else
     {
@@ -160,32 +159,34 @@ bool write_step(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
   typedef Wireframe_extraction::Step_schema Schema;
   const Unit unit = choose_parameter(get_parameter(np, internal_np::unit), Unit::MILLIMETER);
   const Schema schema = choose_parameter(get_parameter(np, internal_np::step_schema), Schema::AP214);
-  return write_with_opencascade(out, [&](Opencascade_session& session, std::ostream& text, std::string& problem)
-  {
-    Wireframe_shape shape;
-    if(!make_shape(wireframe, get_geom_traits<GeomTraits>(np), shape, problem))
-      return false;
-    STEPControl_Controller::Init();
-    session.set_unit("write.step.unit", unit);
-    session.set("write.step.schema", schema == Schema::AP242 ? "AP242DIS" : "AP214IS");
-    session.set("write.step.assembly", "Off"); // else every loop is a part of its own
-    STEPControl_Writer writer;
-    writer.SetTolerance(shape.tolerance);
-    if(writer.Transfer(shape.compound, STEPControl_GeometricCurveSet) != IFSelect_RetDone)
-    {
-      problem = "OpenCASCADE cannot translate the wireframe to STEP";
-      return false;
-    }
-    const Handle(StepData_StepModel) model = writer.Model();
-    if(!arrange_step_curves(model, wireframe, shape, problem))
-      return false;
-    set_step_header(model);
-    name_step_products(model);
-    StepData_StepWriter step(model);
-    step.FloatWriter().SetFormat(opencascade_number_format());
-    step.SendModel(Handle(StepData_Protocol)::DownCast(model->Protocol()));
-    return static_cast<bool>(step.Print(text));
-  }, error);
+  return write_with_opencascade(
+    out,
+    [&](Opencascade_session& session, std::ostream& text, std::string& problem) {
+      Wireframe_shape shape;
+      if (!make_shape(wireframe, get_geom_traits<GeomTraits>(np), shape, problem))
+        return false;
+      STEPControl_Controller::Init();
+      session.set_unit("write.step.unit", unit);
+      session.set("write.step.schema", schema == Schema::AP242 ? "AP242DIS" : "AP214IS");
+      session.set("write.step.assembly", "Off"); // else every loop is a part of its own
+      STEPControl_Writer writer;
+      writer.SetTolerance(shape.tolerance);
+      if (writer.Transfer(shape.compound, STEPControl_GeometricCurveSet) != IFSelect_RetDone)
+      {
+        problem = "OpenCASCADE cannot translate the wireframe to STEP";
+        return false;
+      }
+      const Handle(StepData_StepModel) model = writer.Model();
+      if (!arrange_step_curves(model, wireframe, shape, problem))
+        return false;
+      set_step_header(model);
+      name_step_products(model);
+      StepData_StepWriter step(model);
+      step.FloatWriter().SetFormat(opencascade_number_format());
+      step.SendModel(Handle(StepData_Protocol)::DownCast(model->Protocol()));
+      return static_cast<bool>(step.Print(text));
+    },
+    error);
 }
 
 } // namespace internal
@@ -247,10 +248,8 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_step(std::ostream& stream, const CGAL::Wireframe<GeomTraits>& wireframe,
                           const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_stream(stream, np, [&](std::ostream& out, std::string& error)
-  {
-    return internal::write_step(out, wireframe, np, error);
-  });
+  return internal::write_to_stream(
+    stream, np, [&](std::ostream& out, std::string& error) { return internal::write_step(out, wireframe, np, error); });
 }
 
 /// \ingroup PkgWireframeExtractionIO
@@ -300,8 +299,7 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_step(const std::string& filename, const CGAL::Wireframe<GeomTraits>& wireframe,
                           const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error)
-  {
+  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error) {
     return internal::write_step(out, wireframe, np, error);
   });
 }

@@ -37,8 +37,8 @@ namespace internal {
 // A view and its place.
 struct Svg_view : Drawing_view
 {
-  double width = 0., height = 0.;   // of what is seen
-  double left = 0., top = 0.;       // on the page, in pixels
+  double width = 0., height = 0.; // of what is seen
+  double left = 0., top = 0.;     // on the page, in pixels
 };
 
 // The four views of a drawing, all at one scale.
@@ -47,7 +47,7 @@ class Svg_drawing
 public:
   explicit Svg_drawing(const Sampled_wireframe& sampled) : sampled_(sampled)
   {
-    for(std::size_t i = 0; i < views_.size(); ++i)
+    for (std::size_t i = 0; i < views_.size(); ++i)
       static_cast<Drawing_view&>(views_[i]) = drawing_views()[i];
     find_extent();
     arrange();
@@ -60,9 +60,10 @@ public:
   {
     out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\""
         << pixels(width_) << "\" height=\"" << pixels(height_) << "\" viewBox=\"0 0 " << pixels(width_) << " "
-        << pixels(height_) << "\" font-family=\"sans-serif\" font-size=\"14\">\n<title>Wireframe: top, front, right "
+        << pixels(height_)
+        << "\" font-family=\"sans-serif\" font-size=\"14\">\n<title>Wireframe: top, front, right "
            "and isometric view</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
-    for(const Svg_view& view : views_)
+    for (const Svg_view& view : views_)
       write_view(out, wireframe, view);
     write_legend(out, wireframe);
     out << "<text x=\"" << pixels(margin) << "\" y=\"" << pixels(height_ - margin) << "\">Size " << size_text(0)
@@ -74,16 +75,16 @@ private:
 
   void find_extent()
   {
-    if(!sampled_.points.empty())
+    if (!sampled_.points.empty())
       low_ = high_ = sampled_.points.front();
-    for(const Coordinates& point : sampled_.points)
-      for(std::size_t i = 0; i < 3; ++i)
+    for (const Coordinates& point : sampled_.points)
+      for (std::size_t i = 0; i < 3; ++i)
       {
         low_[i] = (std::min)(low_[i], point[i]);
         high_[i] = (std::max)(high_[i], point[i]);
       }
-    for(Svg_view& view : views_)
-      for(const Coordinates& point : sampled_.points)
+    for (Svg_view& view : views_)
+      for (const Coordinates& point : sampled_.points)
       {
         view.width = (std::max)(view.width, 2. * std::abs(dot(from_center(point), view.right)));
         view.height = (std::max)(view.height, 2. * std::abs(dot(from_center(point), view.up)));
@@ -93,33 +94,33 @@ private:
   Spline_vector from_center(const Coordinates& point) const
   {
     std::array<double, 3> p;
-    for(std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3; ++i)
       p[i] = point[i] - (0.5 * low_[i] + 0.5 * high_[i]);
-    return Spline_vector{ p[0], p[1], p[2] };
+    return Spline_vector{p[0], p[1], p[2]};
   }
 
   // The top view is above the front view, and the right one on its right.
   void arrange()
   {
     const Svg_view &top = views_[0], &isometric = views_[1], &front = views_[2], &right = views_[3];
-    const std::array<double, 2> columns = { { (std::max)(top.width, front.width),
-                                              (std::max)(isometric.width, right.width) } };
-    const std::array<double, 2> rows = { { (std::max)(top.height, isometric.height),
-                                           (std::max)(front.height, right.height) } };
+    const std::array<double, 2> columns = {
+      {(std::max)(top.width, front.width), (std::max)(isometric.width, right.width)}};
+    const std::array<double, 2> rows = {
+      {(std::max)(top.height, isometric.height), (std::max)(front.height, right.height)}};
     const double size = (std::max)(columns[0] + columns[1], rows[0] + rows[1]);
     scale_ = size > 0. ? 900. / size : 1.;
-    for(std::size_t i = 0; i < 4; ++i)
+    for (std::size_t i = 0; i < 4; ++i)
     {
       Svg_view& view = views_[i];
       const bool is_right = (i % 2 == 1), is_below = (i / 2 == 1);
       // what is higher or wider than another view of its row or column has the same middle
-      view.left = margin + (is_right ? scale_ * columns[0] + 2. * margin : 0.)
-                  + 0.5 * scale_ * (columns[is_right] - view.width);
+      view.left =
+        margin + (is_right ? scale_ * columns[0] + 2. * margin : 0.) + 0.5 * scale_ * (columns[is_right] - view.width);
       view.top = title_height + (is_below ? scale_ * rows[0] + margin + title_height : 0.)
-                 + 0.5 * scale_ * (rows[is_below] - view.height);
+        + 0.5 * scale_ * (rows[is_below] - view.height);
     }
-    row_tops_ = { { title_height, scale_ * rows[0] + margin + 2. * title_height } };
-    column_lefts_ = { { margin, scale_ * columns[0] + 3. * margin } };
+    row_tops_ = {{title_height, scale_ * rows[0] + margin + 2. * title_height}};
+    column_lefts_ = {{margin, scale_ * columns[0] + 3. * margin}};
     legend_top_ = row_tops_[1] + scale_ * rows[1] + margin;
     // the lines of text below need some room, too
     width_ = (std::max)(scale_ * (columns[0] + columns[1]) + 4. * margin, 560.);
@@ -131,17 +132,17 @@ private:
   {
     const std::size_t i = static_cast<std::size_t>(&view - &views_[0]);
     out << "<g id=\"" << view.id << "\" fill=\"none\" stroke-width=\"1.5\" stroke-linejoin=\"round\">\n<text x=\""
-        << pixels(column_lefts_[i % 2]) << "\" y=\"" << pixels(row_tops_[i / 2] - 10.)
-        << "\" fill=\"black\">" << view.title << "</text>\n";
-    for(std::size_t j = 0; j < sampled_.polylines.size(); ++j)
+        << pixels(column_lefts_[i % 2]) << "\" y=\"" << pixels(row_tops_[i / 2] - 10.) << "\" fill=\"black\">"
+        << view.title << "</text>\n";
+    for (std::size_t j = 0; j < sampled_.polylines.size(); ++j)
     {
       const Wireframe_curve_type type = wireframe.curves[j].type;
       out << "<polyline class=\"" << name_of(type) << "\" stroke=\"" << hexadecimal(colour_of(type)) << "\" points=\"";
-      for(const std::size_t index : sampled_.polylines[j])
+      for (const std::size_t index : sampled_.polylines[j])
         out << pixels(page_x(view, index)) << "," << pixels(page_y(view, index)) << " ";
       out << "\"><title>curve " << std::to_string(j) << ": " << name_of(type) << "</title></polyline>\n";
     }
-    for(std::size_t j = 0; j < wireframe.vertices.size(); ++j)
+    for (std::size_t j = 0; j < wireframe.vertices.size(); ++j)
       out << "<circle class=\"vertex\" fill=\"black\" r=\"2\" cx=\"" << pixels(page_x(view, j)) << "\" cy=\""
           << pixels(page_y(view, j)) << "\"/>\n";
     out << "</g>\n";
@@ -162,11 +163,11 @@ private:
   void write_legend(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe) const
   {
     std::set<Wireframe_curve_type> types;
-    for(const auto& curve : wireframe.curves)
+    for (const auto& curve : wireframe.curves)
       types.insert(curve.type);
     double left = margin;
     out << "<g id=\"legend\">\n";
-    for(const Wireframe_curve_type type : types)
+    for (const Wireframe_curve_type type : types)
     {
       out << "<text x=\"" << pixels(left) << "\" y=\"" << pixels(legend_top_ + 14.) << "\" fill=\""
           << hexadecimal(colour_of(type)) << "\">" << name_of(type) << "</text>\n";
@@ -179,7 +180,7 @@ private:
   std::string size_text(std::size_t axis) const
   {
     const double size = high_[axis] - low_[axis];
-    if(!(size > 0.))
+    if (!(size > 0.))
       return "0";
     const double digits = std::pow(10., 3. - std::floor(std::log10(size)));
     return std::isfinite(digits) && digits > 0. ? number_to_string(std::round(size * digits) / digits)
@@ -190,7 +191,7 @@ private:
 
   const Sampled_wireframe& sampled_;
   std::array<Svg_view, 4> views_;
-  Coordinates low_ = { { 0., 0., 0. } }, high_ = { { 0., 0., 0. } };
+  Coordinates low_ = {{0., 0., 0.}}, high_ = {{0., 0., 0.}};
   std::array<double, 2> row_tops_, column_lefts_;
   double scale_ = 1., legend_top_ = 0., width_ = 0., height_ = 0.;
 };
@@ -200,10 +201,10 @@ bool write_svg(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
                std::string& error)
 {
   Sampled_wireframe sampled;
-  if(!sample_wireframe(wireframe, np, sampled, error))
+  if (!sample_wireframe(wireframe, np, sampled, error))
     return false;
   const Svg_drawing drawing(sampled);
-  if(!drawing.is_finite())
+  if (!drawing.is_finite())
   {
     error = "the wireframe is too large or too small to be drawn; scale it";
     return false;
@@ -269,10 +270,8 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_svg(std::ostream& stream, const CGAL::Wireframe<GeomTraits>& wireframe,
                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_stream(stream, np, [&](std::ostream& out, std::string& error)
-  {
-    return internal::write_svg(out, wireframe, np, error);
-  });
+  return internal::write_to_stream(
+    stream, np, [&](std::ostream& out, std::string& error) { return internal::write_svg(out, wireframe, np, error); });
 }
 
 /// \ingroup PkgWireframeExtractionIO
@@ -323,8 +322,7 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_svg(const std::string& filename, const CGAL::Wireframe<GeomTraits>& wireframe,
                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error)
-  {
+  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error) {
     return internal::write_svg(out, wireframe, np, error);
   });
 }

@@ -33,12 +33,11 @@ namespace internal {
 
 // a list of numbers; `attributes` are those of the element beside the name and the format
 template <class Write_values>
-void write_vtp_array(std::ostream& out, const std::string& type, const std::string& name,
-                     const std::string& attributes, const Write_values& write_values)
+void write_vtp_array(std::ostream& out, const std::string& type, const std::string& name, const std::string& attributes,
+                     const Write_values& write_values)
 {
   const std::string element = (type == "String" ? "Array" : "DataArray");
-  out << "<" << element << " type=\"" << type << "\" Name=\"" << name << "\"" << attributes
-      << " format=\"ascii\">\n";
+  out << "<" << element << " type=\"" << type << "\" Name=\"" << name << "\"" << attributes << " format=\"ascii\">\n";
   write_values();
   out << "</" << element << ">\n";
 }
@@ -47,7 +46,7 @@ void write_vtp_array(std::ostream& out, const std::string& type, const std::stri
 inline std::string vtp_codes(const std::string& text)
 {
   std::string codes;
-  for(const char c : text)
+  for (const char c : text)
     codes += std::to_string(static_cast<int>(c)) + " ";
   return codes + "0";
 }
@@ -58,11 +57,10 @@ void write_vtp_cell_data(std::ostream& out, const std::string& type, const std::
                          std::size_t number_of_vertices, const std::string& value_of_vertex,
                          const std::vector<Curve>& curves, const Value& value)
 {
-  write_vtp_array(out, type, name, "", [&]()
-  {
-    for(std::size_t i = 0; i < number_of_vertices; ++i)
+  write_vtp_array(out, type, name, "", [&]() {
+    for (std::size_t i = 0; i < number_of_vertices; ++i)
       out << value_of_vertex << "\n";
-    for(std::size_t i = 0; i < curves.size(); ++i)
+    for (std::size_t i = 0; i < curves.size(); ++i)
       out << value(i, curves[i]) << "\n";
   });
 }
@@ -72,17 +70,14 @@ void write_vtp_cells_data(std::ostream& out, const CGAL::Wireframe<GeomTraits>& 
 {
   typedef Wireframe_curve<GeomTraits> Curve;
   const auto add = [&](const std::string& type, const std::string& name, const std::string& of_vertex,
-                       const auto& value)
-  {
+                       const auto& value) {
     write_vtp_cell_data(out, type, name, wireframe.vertices.size(), of_vertex, wireframe.curves, value);
   };
   const auto text = [](const auto& number) { return number_to_string(CGAL::to_double(number)); };
-  const auto vertex = [](std::size_t index)
-  {
+  const auto vertex = [](std::size_t index) {
     return index == Curve::no_vertex ? std::string("-1") : std::to_string(index);
   };
-  const auto radius = [&](const Curve& curve, const auto& of_conic)
-  {
+  const auto radius = [&](const Curve& curve, const auto& of_conic) {
     return is_conic(curve.type) ? text(of_conic) : std::string("0");
   };
   add("Int64", "index", "-1", [](std::size_t i, const Curve&) { return std::to_string(i); });
@@ -104,14 +99,12 @@ void write_vtp_cells_data(std::ostream& out, const CGAL::Wireframe<GeomTraits>& 
 inline void write_vtp_vertices(std::ostream& out, std::size_t count)
 {
   out << "<Verts>\n";
-  write_vtp_array(out, "Int64", "connectivity", "", [&]()
-  {
-    for(std::size_t i = 0; i < count; ++i)
+  write_vtp_array(out, "Int64", "connectivity", "", [&]() {
+    for (std::size_t i = 0; i < count; ++i)
       out << std::to_string(i) << "\n";
   });
-  write_vtp_array(out, "Int64", "offsets", "", [&]()
-  {
-    for(std::size_t i = 0; i < count; ++i)
+  write_vtp_array(out, "Int64", "offsets", "", [&]() {
+    for (std::size_t i = 0; i < count; ++i)
       out << std::to_string(i + 1) << "\n";
   });
   out << "</Verts>\n";
@@ -120,19 +113,17 @@ inline void write_vtp_vertices(std::ostream& out, std::size_t count)
 inline void write_vtp_lines(std::ostream& out, const std::vector<std::vector<std::size_t>>& polylines)
 {
   out << "<Lines>\n";
-  write_vtp_array(out, "Int64", "connectivity", "", [&]()
-  {
-    for(const std::vector<std::size_t>& polyline : polylines)
+  write_vtp_array(out, "Int64", "connectivity", "", [&]() {
+    for (const std::vector<std::size_t>& polyline : polylines)
     {
-      for(const std::size_t index : polyline)
+      for (const std::size_t index : polyline)
         out << std::to_string(index) << " ";
       out << "\n";
     }
   });
-  write_vtp_array(out, "Int64", "offsets", "", [&]()
-  {
+  write_vtp_array(out, "Int64", "offsets", "", [&]() {
     std::size_t offset = 0;
-    for(const std::vector<std::size_t>& polyline : polylines)
+    for (const std::vector<std::size_t>& polyline : polylines)
       out << std::to_string(offset += polyline.size()) << "\n";
   });
   out << "</Lines>\n";
@@ -143,27 +134,22 @@ bool write_vtp(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, 
                std::string& error)
 {
   Sampled_wireframe sampled;
-  if(!sample_wireframe(wireframe, np, sampled, error))
+  if (!sample_wireframe(wireframe, np, sampled, error))
     return false;
   out << "<?xml version=\"1.0\"?>\n"
          "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n"
          "<FieldData>\n";
-  write_vtp_array(out, "Float64", "sampling_distance", " NumberOfTuples=\"1\"", [&]()
-  {
-    out << number_to_string(CGAL::to_double(wireframe.sampling_distance)) << "\n";
-  });
-  write_vtp_array(out, "String", "unit", " NumberOfTuples=\"1\"", [&]()
-  {
-    out << vtp_codes(symbol_of(get_length_unit(np))) << "\n";
-  });
+  write_vtp_array(out, "Float64", "sampling_distance", " NumberOfTuples=\"1\"",
+                  [&]() { out << number_to_string(CGAL::to_double(wireframe.sampling_distance)) << "\n"; });
+  write_vtp_array(out, "String", "unit", " NumberOfTuples=\"1\"",
+                  [&]() { out << vtp_codes(symbol_of(get_length_unit(np))) << "\n"; });
   out << "</FieldData>\n<Piece NumberOfPoints=\"" << std::to_string(sampled.points.size()) << "\" NumberOfVerts=\""
       << std::to_string(wireframe.vertices.size()) << "\" NumberOfLines=\"" << std::to_string(wireframe.curves.size())
       << "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n<CellData Scalars=\"type\">\n";
   write_vtp_cells_data(out, wireframe);
   out << "</CellData>\n<Points>\n";
-  write_vtp_array(out, "Float64", "Points", " NumberOfComponents=\"3\"", [&]()
-  {
-    for(const Coordinates& point : sampled.points)
+  write_vtp_array(out, "Float64", "Points", " NumberOfComponents=\"3\"", [&]() {
+    for (const Coordinates& point : sampled.points)
       out << to_text(point) << "\n";
   });
   out << "</Points>\n";
@@ -233,10 +219,8 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_vtp(std::ostream& stream, const CGAL::Wireframe<GeomTraits>& wireframe,
                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_stream(stream, np, [&](std::ostream& out, std::string& error)
-  {
-    return internal::write_vtp(out, wireframe, np, error);
-  });
+  return internal::write_to_stream(
+    stream, np, [&](std::ostream& out, std::string& error) { return internal::write_vtp(out, wireframe, np, error); });
 }
 
 /// \ingroup PkgWireframeExtractionIO
@@ -289,8 +273,7 @@ template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool write_wireframe_vtp(const std::string& filename, const CGAL::Wireframe<GeomTraits>& wireframe,
                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error)
-  {
+  return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error) {
     return internal::write_vtp(out, wireframe, np, error);
   });
 }

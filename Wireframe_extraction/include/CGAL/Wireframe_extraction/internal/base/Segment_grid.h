@@ -35,10 +35,14 @@ public:
   static constexpr std::size_t no_curve = static_cast<std::size_t>(-1);
 
 private:
-  struct Entry { std::size_t curve, segment; Vector from, to; };
+  struct Entry
+  {
+    std::size_t curve, segment;
+    Vector from, to;
+  };
 
   double m_cell;
-  std::unordered_map<std::uint64_t, std::vector<Entry> > m_cells;
+  std::unordered_map<std::uint64_t, std::vector<Entry>> m_cells;
 
   std::array<std::int64_t, 3> cell_of(const Vector& p) const
   {
@@ -61,10 +65,12 @@ public:
   // long segments are entered piece by piece, each in the cell of its middle
   void add(std::size_t curve, const std::vector<Vector>& points)
   {
-    for (std::size_t k = 1; k < points.size(); ++k) {
+    for (std::size_t k = 1; k < points.size(); ++k)
+    {
       const Vector step = points[k] - points[k - 1];
       const std::size_t pieces = 1 + static_cast<std::size_t>(step.norm() / (0.5 * m_cell));
-      for (std::size_t j = 0; j < pieces; ++j) {
+      for (std::size_t j = 0; j < pieces; ++j)
+      {
         const Vector from = points[k - 1] + step * (double(j) / pieces);
         const Vector to = points[k - 1] + step * (double(j + 1) / pieces);
         const std::array<std::int64_t, 3> cell = cell_of(0.5 * (from + to));
@@ -77,16 +83,18 @@ public:
   template <class Visitor>
   void visit(const Vector& p, double radius, const Visitor& visitor) const
   {
-    const double reach = radius + 0.25 * m_cell;  // a piece's middle may be that much farther away
+    const double reach = radius + 0.25 * m_cell; // a piece's middle may be that much farther away
     const std::array<std::int64_t, 3> low = cell_of(p - Vector::Constant(reach)),
                                       high = cell_of(p + Vector::Constant(reach));
     for (std::int64_t x = low[0]; x <= high[0]; ++x)
       for (std::int64_t y = low[1]; y <= high[1]; ++y)
-        for (std::int64_t z = low[2]; z <= high[2]; ++z) {
+        for (std::int64_t z = low[2]; z <= high[2]; ++z)
+        {
           const auto found = m_cells.find(cell_key(x, y, z));
           if (found == m_cells.end())
             continue;
-          for (const Entry& entry : found->second) {
+          for (const Entry& entry : found->second)
+          {
             const Vector direction = entry.to - entry.from;
             const double length = direction.norm();
             if (!(length > 0.))

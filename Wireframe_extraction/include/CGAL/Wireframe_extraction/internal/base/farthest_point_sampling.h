@@ -54,19 +54,24 @@ inline std::vector<std::size_t> farthest_point_sampling(const std::vector<Vector
   std::priority_queue<Entry, std::vector<Entry>, decltype(less)> heap(less);
   std::vector<std::size_t> ball;
   double radius = infinity;
-  while (true) {
+  while (true)
+  {
     samples.push_back(next);
     const auto update = [&](std::size_t i) {
       const double d = (positions[i] - positions[next]).norm();
-      if (d < distances[i]) {
+      if (d < distances[i])
+      {
         distances[i] = d;
         heap.emplace(d, i);
       }
     };
-    if (radius == infinity) {
+    if (radius == infinity)
+    {
       for (std::size_t i = 0; i < size; ++i)
         update(i);
-    } else {
+    }
+    else
+    {
       // the ball is open, and rounding must not lose a point on its boundary
       search.query(positions[next], radius * (1. + 1e-9), ball);
       for (std::size_t i : ball)

@@ -45,7 +45,8 @@ template <class Work, class Proceed>
 bool for_each_piece_or_cancel(std::size_t count, const Work& work, const Proceed& proceed)
 {
   static constexpr std::size_t block = 8192;
-  for (std::size_t first = 0; first < count; first += block) {
+  for (std::size_t first = 0; first < count; first += block)
+  {
     if (!proceed(double(first) / double(count)))
       return false;
     for_each_piece((std::min)(block, count - first),

@@ -36,7 +36,8 @@ inline Vector median_position(const std::vector<Vector>& points)
 {
   Vector result = Vector::Zero();
   std::vector<double> coordinates(points.size());
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < 3; ++k)
+  {
     for (std::size_t i = 0; i < points.size(); ++i)
       coordinates[i] = points[i][k];
     result[k] = median(coordinates);

@@ -44,7 +44,7 @@ class Polyline_walk
 {
   const std::vector<Vector>& m_polyline;
   const std::vector<double>& m_lengths;
-  std::size_t m_end = 1;      // of the segment that was reached
+  std::size_t m_end = 1; // of the segment that was reached
 
 public:
   // the polyline has at least two points, `lengths` are its arc lengths

@@ -30,7 +30,8 @@ template <class ConcurrencyTag, class Function>
 auto run_concurrently(const Function& function) -> decltype(function())
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  if (!std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value) {
+  if (!std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value)
+  {
     tbb::task_arena arena(1);
     return arena.execute(function);
   }

@@ -27,16 +27,13 @@ namespace CGAL {
 namespace IO {
 namespace internal {
 
-inline bool is_blank(char c)
-{
-  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
-}
+inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
 inline std::string_view trim(std::string_view text)
 {
-  while(!text.empty() && is_blank(text.front()))
+  while (!text.empty() && is_blank(text.front()))
     text.remove_prefix(1);
-  while(!text.empty() && is_blank(text.back()))
+  while (!text.empty() && is_blank(text.back()))
     text.remove_suffix(1);
   return text;
 }
@@ -50,8 +47,8 @@ inline bool starts_with(std::string_view text, std::string_view prefix)
 inline std::string to_lower(std::string_view text)
 {
   std::string lower(text);
-  for(char& c : lower)
-    if(c >= 'A' && c <= 'Z')
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z')
       c = static_cast<char>(c - 'A' + 'a');
   return lower;
 }
@@ -60,15 +57,12 @@ inline std::string to_lower(std::string_view text)
 inline std::string printable(std::string_view text, std::size_t limit = 40)
 {
   std::string result;
-  for(char c : text.substr(0, limit))
+  for (char c : text.substr(0, limit))
     result += (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126) ? '?' : c;
   return result + (text.size() > limit ? "..." : "");
 }
 
-inline std::string quote(std::string_view text)
-{
-  return "\"" + printable(text) + "\"";
-}
+inline std::string quote(std::string_view text) { return "\"" + printable(text) + "\""; }
 
 // the shortest text that reads back as the same double, with a point whatever the locale
 inline std::string number_to_string(double value)
@@ -89,29 +83,28 @@ inline std::string number_to_string(double value)
 inline double out_of_range_value(std::string_view text)
 {
   const std::size_t exponent = text.find_first_of("eE");
-  const bool is_tiny = exponent != std::string_view::npos && exponent + 1 < text.size()
-                       && text[exponent + 1] == '-';
+  const bool is_tiny = exponent != std::string_view::npos && exponent + 1 < text.size() && text[exponent + 1] == '-';
   return is_tiny ? 0. : std::numeric_limits<double>::infinity();
 }
 
 // reads a number that takes the whole text; independent of the locale, "nan" and "inf" are numbers
 inline bool parse_number(std::string_view text, double& value)
 {
-  if(text.size() > 1 && text[0] == '+' && text[1] != '-')
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-')
     text.remove_prefix(1);
-  if(text.empty())
+  if (text.empty())
     return false;
   const char* const last = text.data() + text.size();
 #if defined(__cpp_lib_to_chars)
   const std::from_chars_result result = std::from_chars(text.data(), last, value);
-  if(result.ptr != last || result.ec == std::errc::invalid_argument)
+  if (result.ptr != last || result.ec == std::errc::invalid_argument)
     return false;
-  if(result.ec == std::errc::result_out_of_range)
+  if (result.ec == std::errc::result_out_of_range)
     value = out_of_range_value(text);
   return true;
 #else
   const std::string lower = to_lower(text);
-  if(lower == "nan" || lower == "-nan" || lower == "inf" || lower == "-inf")
+  if (lower == "nan" || lower == "-nan" || lower == "inf" || lower == "-inf")
   {
     value = std::numeric_limits<double>::infinity();
     return true;
@@ -119,7 +112,7 @@ inline bool parse_number(std::string_view text, double& value)
   std::istringstream stream(lower);
   stream.imbue(std::locale::classic());
   stream >> value;
-  if(stream.fail() && std::abs(value) >= (std::numeric_limits<double>::max)())
+  if (stream.fail() && std::abs(value) >= (std::numeric_limits<double>::max)())
   {
     value = out_of_range_value(text);
     stream.clear();
@@ -142,15 +135,15 @@ inline void split_at_blanks(std::string_view text, std::vector<std::string_view>
 {
   fields.clear();
   std::size_t position = 0;
-  while(position < text.size())
+  while (position < text.size())
   {
-    if(is_blank(text[position]))
+    if (is_blank(text[position]))
     {
       ++position;
       continue;
     }
     const std::size_t begin = position;
-    while(position < text.size() && !is_blank(text[position]))
+    while (position < text.size() && !is_blank(text[position]))
       ++position;
     fields.push_back(text.substr(begin, position - begin));
   }
@@ -160,12 +153,12 @@ inline void split_at_blanks(std::string_view text, std::vector<std::string_view>
 inline void split_at(char separator, std::string_view text, std::vector<std::string_view>& fields)
 {
   fields.clear();
-  while(!text.empty())
+  while (!text.empty())
   {
     const std::size_t end = text.find(separator);
     fields.push_back(trim(text.substr(0, end)));
     text = (end == std::string_view::npos) ? std::string_view() : text.substr(end + 1);
-    if(trim(text).empty())
+    if (trim(text).empty())
       return;
   }
 }
@@ -175,7 +168,7 @@ template <class Names>
 std::string join(const Names& names)
 {
   std::string text;
-  for(const auto& name : names)
+  for (const auto& name : names)
     text += (text.empty() ? "" : ", ") + printable(name);
   return text.empty() ? "(none)" : text;
 }
@@ -187,8 +180,7 @@ inline const char* empty_file_text() { return "is empty; get a complete copy of 
 inline std::string no_number_text(std::string_view text)
 {
   return (text.empty() ? std::string("empty") : quote(text) + ", no number")
-         + (text.find(',') != std::string_view::npos ? "; decimals need a point, not a comma"
-                                                     : "; write a number there");
+    + (text.find(',') != std::string_view::npos ? "; decimals need a point, not a comma" : "; write a number there");
 }
 
 inline std::string plural(std::size_t count, const std::string& one, const std::string& many)

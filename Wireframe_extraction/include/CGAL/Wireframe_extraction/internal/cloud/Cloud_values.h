@@ -32,7 +32,7 @@ struct Cloud_values
 {
   std::vector<Vector> positions;
   std::vector<double> distances;
-  std::vector<std::size_t> indices;     // none as long as no value of the cloud is missing
+  std::vector<std::size_t> indices; // none as long as no value of the cloud is missing
 
   std::size_t size() const { return positions.size(); }
   std::size_t index(std::size_t i) const { return indices.empty() ? i : indices[i]; }
@@ -45,7 +45,8 @@ struct Cloud_values
 
   void add(const Vector& position, double distance, std::size_t index)
   {
-    if (indices.empty() && index != size()) {
+    if (indices.empty() && index != size())
+    {
       indices.resize(size());
       std::iota(indices.begin(), indices.end(), std::size_t(0));
     }
@@ -67,8 +68,9 @@ struct Cloud_values
 inline std::uint64_t position_hash(const Vector& position)
 {
   std::uint64_t hash = 0x9e3779b97f4a7c15u;
-  for (int k = 0; k < 3; ++k) {
-    const double coordinate = position[k] + 0.;   // there is a negative zero
+  for (int k = 0; k < 3; ++k)
+  {
+    const double coordinate = position[k] + 0.; // there is a negative zero
     std::uint64_t bits;
     std::memcpy(&bits, &coordinate, sizeof(coordinate));
     hash = (hash ^ bits) * 0xbf58476d1ce4e5b9u;
@@ -84,7 +86,7 @@ class Position_sample
 {
   std::size_t m_most;
   Cloud_values m_values;
-  std::vector<std::uint64_t> m_hashes;   // once it is a sample
+  std::vector<std::uint64_t> m_hashes; // once it is a sample
   std::uint64_t m_bound = (std::numeric_limits<std::uint64_t>::max)();
   bool m_is_complete = true;
 
@@ -102,13 +104,15 @@ public:
 
   void add(const Vector& position, double distance, std::size_t index)
   {
-    if (is_full()) {
+    if (is_full())
+    {
       for (const Vector& p : m_values.positions)
         m_hashes.push_back(position_hash(p));
       m_is_complete = false;
       thin_out();
     }
-    if (!m_is_complete) {
+    if (!m_is_complete)
+    {
       const std::uint64_t hash = position_hash(position);
       if (hash >= m_bound)
         return;
@@ -130,16 +134,18 @@ public:
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       return std::make_pair(m_hashes[a], a) < std::make_pair(m_hashes[b], b);
     });
-    order.erase(std::unique(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return m_hashes[a] == m_hashes[b];
-    }), order.end());
-    if (order.size() > m_most / 2) {
+    order.erase(
+      std::unique(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return m_hashes[a] == m_hashes[b]; }),
+      order.end());
+    if (order.size() > m_most / 2)
+    {
       m_bound = m_hashes[order[m_most / 2]];
       order.resize(m_most / 2);
     }
     Cloud_values kept;
     std::vector<std::uint64_t> hashes;
-    for (std::size_t i : order) {
+    for (std::size_t i : order)
+    {
       kept.add(m_values.positions[i], m_values.distances[i], m_values.index(i));
       hashes.push_back(m_hashes[i]);
     }

@@ -32,7 +32,11 @@ namespace internal {
 // the position decides, so that the order of the cloud does not matter.
 class Density_candidates
 {
-  struct Ranked { double distance; std::size_t index; };
+  struct Ranked
+  {
+    double distance;
+    std::size_t index;
+  };
 
   struct Distance_less
   {
@@ -56,17 +60,19 @@ public:
   {
     for (std::size_t i = 0; i < values.size(); ++i)
       if (values.distances[i] < bound)
-        m_sorted.push_back({values.distances[i] + 0., i});   // there is a negative zero
+        m_sorted.push_back({values.distances[i] + 0., i}); // there is a negative zero
     boost::sort::spreadsort::float_sort(m_sorted.begin(), m_sorted.end(), Distance_digits(), Distance_less());
-    for (std::size_t begin = 0, end = 0; begin < size(); begin = end) {
-      for (end = begin + 1; end < size() && m_sorted[end].distance == m_sorted[begin].distance; ++end) {}
+    for (std::size_t begin = 0, end = 0; begin < size(); begin = end)
+    {
+      for (end = begin + 1; end < size() && m_sorted[end].distance == m_sorted[begin].distance; ++end)
+      {}
       if (end - begin > 1)
         sort_by_hash(begin, end);
     }
   }
 
   std::size_t size() const { return m_sorted.size(); }
-  std::size_t index(std::size_t rank) const { return m_sorted[rank].index; }      // among the values
+  std::size_t index(std::size_t rank) const { return m_sorted[rank].index; } // among the values
 
   // Of the candidates the nearest to a rank whose distance no other position has, so that a moved cloud has the same.
   // Returns their number if all similar distances are ambiguous, as the zeros of a field with errors are.
@@ -75,7 +81,8 @@ public:
     const Distance_histogram::Bin bin = Distance_histogram::bin(m_sorted[rank].distance);
     const auto is_similar = [&](std::size_t i) { return Distance_histogram::bin(m_sorted[i].distance) == bin; };
     bool goes_up = true, goes_down = true;
-    for (std::size_t step = 0; goes_up || goes_down; ++step) {
+    for (std::size_t step = 0; goes_up || goes_down; ++step)
+    {
       goes_up = goes_up && rank + step < size() && is_similar(rank + step);
       if (goes_up && is_clear(rank + step))
         return rank + step;
@@ -89,7 +96,7 @@ public:
 private:
   void sort_by_hash(std::size_t begin, std::size_t end)
   {
-    std::vector<std::pair<std::uint64_t, std::size_t> > keys;
+    std::vector<std::pair<std::uint64_t, std::size_t>> keys;
     for (std::size_t k = begin; k < end; ++k)
       keys.emplace_back(position_hash(m_values.positions[m_sorted[k].index]), m_sorted[k].index);
     std::sort(keys.begin(), keys.end());
@@ -110,13 +117,14 @@ private:
 // the indices of the different positions with the smallest hashes
 inline std::vector<std::size_t> spread_positions(const Cloud_values& values)
 {
-  std::vector<std::pair<std::uint64_t, std::size_t> > keys;
+  std::vector<std::pair<std::uint64_t, std::size_t>> keys;
   for (std::size_t i = 0; i < values.size(); ++i)
     keys.emplace_back(position_hash(values.positions[i]), i);
   std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end(), [&](const auto& a, const auto& b) {
-    return values.positions[a.second] == values.positions[b.second];
-  }), keys.end());
+  keys.erase(
+    std::unique(keys.begin(), keys.end(),
+                [&](const auto& a, const auto& b) { return values.positions[a.second] == values.positions[b.second]; }),
+    keys.end());
   keys.resize((std::min)(keys.size(), most_density_samples));
   std::vector<std::size_t> result;
   for (const auto& key : keys)

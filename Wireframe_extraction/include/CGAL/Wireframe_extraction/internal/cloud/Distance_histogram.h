@@ -31,7 +31,7 @@ class Distance_histogram
   static constexpr std::size_t octaves = 2048;
   typedef std::vector<std::uint64_t> Counts;
 
-  std::vector<std::unique_ptr<Counts> > m_counts;
+  std::vector<std::unique_ptr<Counts>> m_counts;
 
 public:
   typedef std::uint32_t Bin;
@@ -42,7 +42,7 @@ public:
   // of a distance that is finite and not negative
   static Bin bin(double distance)
   {
-    const double positive = distance + 0.;   // there is a negative zero
+    const double positive = distance + 0.; // there is a negative zero
     std::uint64_t representation;
     std::memcpy(&representation, &positive, sizeof(positive));
     return static_cast<Bin>(representation >> (52 - bits));
@@ -65,7 +65,8 @@ public:
     for (std::size_t octave = 0; octave < octaves; ++octave)
       if (m_counts[octave])
         for (std::size_t k = 0; k < bins_per_octave; ++k)
-          if (const std::uint64_t count = (*m_counts[octave])[k]) {
+          if (const std::uint64_t count = (*m_counts[octave])[k])
+          {
             use(static_cast<Bin>(octave << bits | k), smaller, count);
             smaller += count;
           }

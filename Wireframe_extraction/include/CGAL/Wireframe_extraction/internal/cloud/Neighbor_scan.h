@@ -41,14 +41,14 @@ class Neighbor_scan
   {
     double squared_distance;
     Vector position;
-    double field;   // its distance to the nearest feature
+    double field; // its distance to the nearest feature
   };
 
   struct Query
   {
     Vector position;
     double field;
-    std::vector<Neighbor> neighbors;   // the nearest ones so far, ascending
+    std::vector<Neighbor> neighbors; // the nearest ones so far, ascending
 
     // no point that is as far belongs to the neighbors
     double squared_reach() const
@@ -67,7 +67,7 @@ class Neighbor_scan
         --i;
       for (std::size_t k = i; k > 0 && neighbors[k - 1].squared_distance == squared_distance; --k)
         if (neighbors[k - 1].position == p)
-          return;   // a duplicate
+          return; // a duplicate
       if (neighbors.size() == density_neighbors)
         neighbors.pop_back();
       neighbors.insert(neighbors.begin() + static_cast<std::ptrdiff_t>(i), Neighbor{squared_distance, p, distance});
@@ -78,7 +78,11 @@ class Neighbor_scan
   // power of two.
   class Level
   {
-    struct Entry { std::uint64_t key; std::uint32_t query, is_used; };
+    struct Entry
+    {
+      std::uint64_t key;
+      std::uint32_t query, is_used;
+    };
 
     double m_per_cell;
     std::vector<Entry> m_entries;
@@ -91,7 +95,8 @@ class Neighbor_scan
     void add(std::uint32_t query, const Vector& p, double radius)
     {
       std::int64_t low[3], high[3];
-      for (int k = 0; k < 3; ++k) {
+      for (int k = 0; k < 3; ++k)
+      {
         low[k] = index(p[k] - radius);
         high[k] = index(p[k] + radius);
       }
@@ -127,7 +132,8 @@ class Neighbor_scan
 
     void insert(std::uint64_t key, std::uint32_t query)
     {
-      if (2 * (m_size + 1) > m_entries.size()) {
+      if (2 * (m_size + 1) > m_entries.size())
+      {
         std::vector<Entry> entries(2 * m_entries.size(), Entry{0, 0, 0});
         entries.swap(m_entries);
         for (const Entry& entry : entries)
@@ -148,7 +154,7 @@ class Neighbor_scan
   };
 
   std::vector<Query> m_queries;
-  std::vector<Level> m_levels;   // each with cells twice as large as those of the one before, or larger
+  std::vector<Level> m_levels; // each with cells twice as large as those of the one before, or larger
 
 public:
   void add_query(const Vector& position, double distance) { m_queries.push_back(Query{position, distance, {}}); }
@@ -157,8 +163,8 @@ public:
   // or more than there are neighbors.
   void start(const std::vector<Vector>& positions, const std::vector<double>& distances)
   {
-    typedef CGAL::Search_traits<double, Vector, const double*, Construct_vector_coordinates,
-                                CGAL::Dimension_tag<3> > Base_traits;
+    typedef CGAL::Search_traits<double, Vector, const double*, Construct_vector_coordinates, CGAL::Dimension_tag<3>>
+      Base_traits;
     typedef CGAL::Search_traits_adapter<std::size_t, Position_map, Base_traits> Traits;
     typedef CGAL::Orthogonal_k_neighbor_search<Traits> Search;
     typedef typename Search::Tree Tree;
@@ -170,19 +176,20 @@ public:
     tree.build();
     const typename Search::Distance metric(map);
     const unsigned int wanted =
-      static_cast<unsigned int>((std::min)(density_neighbors + 1, positions.size()));   // one may be the query itself
+      static_cast<unsigned int>((std::min)(density_neighbors + 1, positions.size())); // one may be the query itself
     std::map<int, Level> levels;
-    for (std::size_t q = 0; q < m_queries.size(); ++q) {
+    for (std::size_t q = 0; q < m_queries.size(); ++q)
+    {
       Query& query = m_queries[q];
       const Search search(tree, query.position, wanted, 0., true, metric);
       for (const auto& neighbor : search)
         query.add(positions[neighbor.first], distances[neighbor.first]);
       const double radius = std::sqrt(query.squared_reach());
       if (!std::isfinite(radius))
-        continue;   // so few positions: the sample has them all
+        continue; // so few positions: the sample has them all
       const int exponent = std::ilogb(radius) + 1;
-      levels.emplace(exponent, Level(std::ldexp(1., exponent))).first->second
-        .add(static_cast<std::uint32_t>(q), query.position, radius);
+      levels.emplace(exponent, Level(std::ldexp(1., exponent)))
+        .first->second.add(static_cast<std::uint32_t>(q), query.position, radius);
     }
     for (auto& level : levels)
       m_levels.push_back(std::move(level.second));
@@ -199,22 +206,31 @@ public:
   void add(const std::vector<Vector>& positions, const std::vector<double>& distances)
   {
     static constexpr std::size_t block = 16384;
-    struct Hit { std::uint32_t query; std::size_t point; };
+    struct Hit
+    {
+      std::uint32_t query;
+      std::size_t point;
+    };
     const std::size_t at_once = block * concurrency();
-    std::vector<std::vector<Hit> > hits(concurrency());
-    for (std::size_t first = 0; first < positions.size(); first += at_once) {
-      for_each_piece(hits.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) {
-          hits[k].clear();
-          const std::size_t beyond = (std::min)(positions.size(), first + (k + 1) * block);
-          for (std::size_t i = first + k * block; i < beyond; ++i)
-            for (const Level& level : m_levels)
-              level.visit(positions[i], [&](std::uint32_t q) {
-                if ((positions[i] - m_queries[q].position).squaredNorm() < m_queries[q].squared_reach())
-                  hits[k].push_back({q, i});
-              });
-        }
-      }, 1);
+    std::vector<std::vector<Hit>> hits(concurrency());
+    for (std::size_t first = 0; first < positions.size(); first += at_once)
+    {
+      for_each_piece(
+        hits.size(),
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t k = begin; k < end; ++k)
+          {
+            hits[k].clear();
+            const std::size_t beyond = (std::min)(positions.size(), first + (k + 1) * block);
+            for (std::size_t i = first + k * block; i < beyond; ++i)
+              for (const Level& level : m_levels)
+                level.visit(positions[i], [&](std::uint32_t q) {
+                  if ((positions[i] - m_queries[q].position).squaredNorm() < m_queries[q].squared_reach())
+                    hits[k].push_back({q, i});
+                });
+          }
+        },
+        1);
       for (const std::vector<Hit>& of_block : hits)
         for (const Hit& hit : of_block)
           m_queries[hit.query].add(positions[hit.point], distances[hit.point]);
@@ -225,7 +241,8 @@ public:
   Cloud_scale scale() const
   {
     Density_measures measures;
-    for (const Query& query : m_queries) {
+    for (const Query& query : m_queries)
+    {
       if (query.neighbors.empty())
         continue;
       double slope = 0.;

@@ -92,20 +92,19 @@ private:
     {
       if (!patch.indices.empty() && patch.indices.size() != patch.samples.size())
         return "a patch has " + plural(patch.samples.size(), "point", "points") + ", but "
-               + plural(patch.indices.size(), "index", "indices") + "; each point needs one, or none has one";
+          + plural(patch.indices.size(), "index", "indices") + "; each point needs one, or none has one";
       has_indices = has_indices && (patch.samples.empty() || !patch.indices.empty());
       for (std::size_t i = 0; i < patch.samples.size(); ++i)
       {
         const Point& p = patch.samples[i].first;
-        const Position position = {{ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) }};
+        const Position position = {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
         for (std::size_t axis = 0; axis < 3; ++axis)
           if (!std::isfinite(position[axis]))
             return "a patch has a point with a coordinate that is not finite";
         const double distance = CGAL::to_double(patch.samples[i].second);
         if (!(std::isfinite(distance) && distance >= 0.))
           return "a patch has a distance that is not finite, or negative";
-        m_samples.push_back({ position, &p, &patch.samples[i].second,
-                              patch.indices.empty() ? 0 : patch.indices[i], 0 });
+        m_samples.push_back({position, &p, &patch.samples[i].second, patch.indices.empty() ? 0 : patch.indices[i], 0});
       }
     }
     m_diagonal = std::hypot(extent(0), extent(1), extent(2));
@@ -129,8 +128,7 @@ private:
   // by index or position; what is the same in both may stand in any order
   void sort(bool has_indices)
   {
-    std::sort(m_samples.begin(), m_samples.end(), [has_indices](const Sample& a, const Sample& b)
-    {
+    std::sort(m_samples.begin(), m_samples.end(), [has_indices](const Sample& a, const Sample& b) {
       if (has_indices && a.index != b.index)
         return a.index < b.index;
       return a.position < b.position;
@@ -142,8 +140,9 @@ private:
     if (!has_indices)
       sort_by_clusters();
     for (std::size_t i = 0; i < m_samples.size(); ++i)
-      if (i == 0 || (has_indices ? m_samples[i].index != m_samples[i - 1].index
-                                 : m_samples[i].group != m_samples[i - 1].group))
+      if (i == 0
+          || (has_indices ? m_samples[i].index != m_samples[i - 1].index
+                          : m_samples[i].group != m_samples[i - 1].group))
         m_group_begins.push_back(i);
   }
 
@@ -172,7 +171,7 @@ private:
 
   void link_close_positions(const std::vector<std::size_t>& first_of_position, std::vector<std::size_t>& parent) const
   {
-    static const Position direction = {{ 0.7236067977, 0.5257311121, 0.4472135955 }};
+    static const Position direction = {{0.7236067977, 0.5257311121, 0.4472135955}};
     const double length = tolerance * m_diagonal;
     std::vector<std::pair<double, std::size_t>> order;
     order.reserve(parent.size());
@@ -185,7 +184,8 @@ private:
     for (std::size_t i = 0; i < order.size(); ++i)
       for (std::size_t j = i + 1; j < order.size() && order[j].first - order[i].first <= 2. * length; ++j)
         if (distance_between(m_samples[first_of_position[order[i].second]].position,
-                             m_samples[first_of_position[order[j].second]].position) <= length)
+                             m_samples[first_of_position[order[j].second]].position)
+            <= length)
           link(parent, order[i].second, order[j].second);
   }
 
@@ -216,9 +216,9 @@ private:
     for (std::size_t i = begin + 1; i < end; ++i)
       if (distance_between(m_samples[i].position, m_samples[begin].position) > index_tolerance * m_diagonal)
         return "the index " + std::to_string(m_samples[begin].index) + " stands for different points, "
-               + position_text(m_samples[begin].position) + " and " + position_text(m_samples[i].position)
-               + "; indices have to say where points are in the whole cloud, not in their patch. Name the data set "
-                 "that does (indices_dataset), or go by the positions of the points (use_indices false)";
+          + position_text(m_samples[begin].position) + " and " + position_text(m_samples[i].position)
+          + "; indices have to say where points are in the whole cloud, not in their patch. Name the data set "
+            "that does (indices_dataset), or go by the positions of the points (use_indices false)";
     return std::string();
   }
 
@@ -226,7 +226,7 @@ private:
   {
     using CGAL::IO::internal::number_to_string;
     return "(" + number_to_string(position[0]) + " " + number_to_string(position[1]) + " "
-           + number_to_string(position[2]) + ")";
+      + number_to_string(position[2]) + ")";
   }
 
   FT distance_of_group(std::size_t begin, std::size_t end)

@@ -48,7 +48,8 @@ public:
       chunk.clear();
       return goes_on;
     };
-    for (const auto& value : m_points) {
+    for (const auto& value : m_points)
+    {
       const Vector p = m_access.position(value);
       chunk.push_back(Sample{p.x(), p.y(), p.z(), m_access.distance(value)});
       if (chunk.size() == samples_per_chunk && !hand_out())

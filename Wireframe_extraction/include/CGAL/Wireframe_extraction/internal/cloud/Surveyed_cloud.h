@@ -94,7 +94,8 @@ public:
   template <class Use>
   void for_each(const Use& use) const
   {
-    if (is_in_memory()) {
+    if (is_in_memory())
+    {
       m_sample.values().for_each(use);
       return;
     }
@@ -116,7 +117,7 @@ public:
 
   Cloud_scale scale() const
   {
-    Cloud_values others;      // candidates that are not in memory
+    Cloud_values others; // candidates that are not in memory
     const Cloud_values& values = is_in_memory() ? sample() : others;
     const std::vector<std::size_t> queries = density_queries(values, others);
     if (is_in_memory() && sample().size() <= least_to_scan)
@@ -124,10 +125,13 @@ public:
     Neighbor_scan scan;
     for (std::size_t i : queries)
       scan.add_query(values.positions[i], values.distances[i]);
-    if (is_in_memory()) {
+    if (is_in_memory())
+    {
       start_with_few(scan);
       scan.add(sample().positions, sample().distances);
-    } else {
+    }
+    else
+    {
       scan.start(sample().positions, sample().distances);
       for_each([&scan](const Vector& position, double distance, std::size_t) { scan.add(position, distance); });
     }
@@ -161,7 +165,8 @@ private:
   {
     const std::size_t index = m_number_of_points++;
     const bool has_numbers = is_finite(s);
-    if (!has_numbers || !(s.distance >= 0.)) {
+    if (!has_numbers || !(s.distance >= 0.))
+    {
       if (m_not_finite + m_negative == 0)
         m_first_invalid = index;
       ++(has_numbers ? m_negative : m_not_finite);
@@ -173,7 +178,8 @@ private:
     if (m_histogram)
       m_histogram->add(s.distance);
     m_smallest = (std::min)(m_smallest, s.distance);
-    if (s.distance > m_largest) {
+    if (s.distance > m_largest)
+    {
       m_largest = s.distance;
       m_number_of_largest = 0;
     }
@@ -195,7 +201,8 @@ private:
   {
     static constexpr std::size_t least = 64;
     const std::size_t count = number_of_valid() - m_number_of_largest;
-    if (count < least) {   // the field is hardly known anywhere
+    if (count < least)
+    { // the field is hardly known anywhere
       if (!is_in_memory())
         others = sample();
       return spread_positions(values);
@@ -205,7 +212,8 @@ private:
       read_candidates(ranks, others);
     const Density_candidates candidates(values, m_largest);
     std::vector<std::size_t> queries, clear_queries;
-    for (std::size_t rank : ranks) {
+    for (std::size_t rank : ranks)
+    {
       if (rank >= candidates.size())
         continue;
       const std::size_t clear = candidates.nearest_clear_one(rank);
@@ -226,7 +234,8 @@ private:
     std::size_t next = 0;
     std::uint64_t passed_over = 0;
     m_histogram->for_each_bin([&](Distance_histogram::Bin bin, std::uint64_t smaller, std::uint64_t number) {
-      if (next == ranks.size() || ranks[next] >= smaller + number) {
+      if (next == ranks.size() || ranks[next] >= smaller + number)
+      {
         passed_over += number;
         return;
       }

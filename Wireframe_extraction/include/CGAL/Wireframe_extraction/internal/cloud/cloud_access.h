@@ -33,28 +33,30 @@ class Cloud_access
   typedef typename std::iterator_traits<typename PointRange::const_iterator>::value_type Value;
 
   // the defaults fit pairs of a point and a distance, and bare points
-  template <class V> struct Defaults
+  template <class V>
+  struct Defaults
   {
     typedef CGAL::Identity_property_map<V> Point_map;
     typedef CGAL::Constant_property_map<V, double> Distance_map;
   };
-  template <class P, class F> struct Defaults<std::pair<P, F> >
+  template <class P, class F>
+  struct Defaults<std::pair<P, F>>
   {
-    typedef CGAL::First_of_pair_property_map<std::pair<P, F> > Point_map;
-    typedef CGAL::Second_of_pair_property_map<std::pair<P, F> > Distance_map;
+    typedef CGAL::First_of_pair_property_map<std::pair<P, F>> Point_map;
+    typedef CGAL::Second_of_pair_property_map<std::pair<P, F>> Distance_map;
   };
 
 public:
-  typedef typename CGAL::internal_np::Lookup_named_param_def<
-    CGAL::internal_np::point_t, NamedParameters, typename Defaults<Value>::Point_map>::type Point_map;
-  typedef typename CGAL::internal_np::Lookup_named_param_def<
-    internal_np::distance_map_t, NamedParameters, typename Defaults<Value>::Distance_map>::type Distance_map;
+  typedef typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::point_t, NamedParameters,
+                                                             typename Defaults<Value>::Point_map>::type Point_map;
+  typedef typename CGAL::internal_np::Lookup_named_param_def<internal_np::distance_map_t, NamedParameters,
+                                                             typename Defaults<Value>::Distance_map>::type Distance_map;
   // bare points have none
-  static constexpr bool has_distances
-    = !std::is_same<typename std::decay<Distance_map>::type, CGAL::Constant_property_map<Value, double> >::value;
+  static constexpr bool has_distances =
+    !std::is_same<typename std::decay<Distance_map>::type, CGAL::Constant_property_map<Value, double>>::value;
   typedef typename boost::property_traits<typename std::decay<Point_map>::type>::value_type Point;
-  typedef typename CGAL::internal_np::Lookup_named_param_def<
-    CGAL::internal_np::geom_traits_t, NamedParameters, typename CGAL::Kernel_traits<Point>::Kernel>::type Traits_;
+  typedef typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::geom_traits_t, NamedParameters,
+                                                             typename CGAL::Kernel_traits<Point>::Kernel>::type Traits_;
   typedef typename std::decay<Traits_>::type Geom_traits;
 
 private:
@@ -65,7 +67,7 @@ private:
 public:
   explicit Cloud_access(const NamedParameters& np)
     : m_point_map(CGAL::parameters::choose_parameter<typename std::decay<Point_map>::type>(
-        CGAL::parameters::get_parameter(np, CGAL::internal_np::point_map))),
+      CGAL::parameters::get_parameter(np, CGAL::internal_np::point_map))),
       m_distance_map(CGAL::parameters::choose_parameter<typename std::decay<Distance_map>::type>(
         CGAL::parameters::get_parameter(np, internal_np::distance_map))),
       m_traits(CGAL::parameters::choose_parameter<Geom_traits>(

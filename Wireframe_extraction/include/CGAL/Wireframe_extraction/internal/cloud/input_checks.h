@@ -64,15 +64,15 @@ inline int dimension(const std::vector<Vector>& positions, const std::vector<std
   const Vector center = median_position(offsets);
   for (Vector& offset : offsets)
     offset -= center;
-  std::sort(offsets.begin(), offsets.end(), [](const Vector& a, const Vector& b) {
-    return a.stableNorm() < b.stableNorm();
-  });
+  std::sort(offsets.begin(), offsets.end(),
+            [](const Vector& a, const Vector& b) { return a.stableNorm() < b.stableNorm(); });
   offsets.resize((std::max)(std::size_t(1), offsets.size() - offsets.size() / 10));
   const double extent = offsets.back().stableNorm();
   if (!(extent > 1e-12 * center.cwiseAbs().maxCoeff()))
     return 0;
   Vector mean = Vector::Zero();
-  for (Vector& offset : offsets) {
+  for (Vector& offset : offsets)
+  {
     offset /= extent;
     mean += offset / double(offsets.size());
   }
@@ -116,7 +116,8 @@ inline bool check_scale(const Surveyed_cloud& cloud, const Cloud_scale& scale, d
     message << "a sampling distance of " << given << " does not fit the points: their density says "
             << scale.sampling_distance << "; is it in another unit?";
   report.message = message.str();
-  if (report.message.empty() && (scale.slope > 4. || scale.slope < 0.6)) {
+  if (report.message.empty() && (scale.slope > 4. || scale.slope < 0.6))
+  {
     message << "from point to point the distances change " << scale.slope
             << " times as much as the points are apart, so they have large errors or another unit";
     report.warnings.push_back(message.str());

@@ -42,7 +42,7 @@ inline std::vector<std::size_t> spread_indices(std::size_t n)
 struct Cloud_scale
 {
   double sampling_distance = 0.;
-  double slope = 0.;    // of the field between neighbors: about 1 if points and distances have the same unit
+  double slope = 0.; // of the field between neighbors: about 1 if points and distances have the same unit
 };
 
 constexpr std::size_t density_neighbors = 16;
@@ -81,8 +81,8 @@ public:
 inline Cloud_scale cloud_scale(const std::vector<Vector>& positions, const std::vector<double>& distances,
                                const std::vector<std::size_t>& queries)
 {
-  typedef CGAL::Search_traits<double, Vector, const double*, Construct_vector_coordinates,
-                              CGAL::Dimension_tag<3> > Base_traits;
+  typedef CGAL::Search_traits<double, Vector, const double*, Construct_vector_coordinates, CGAL::Dimension_tag<3>>
+    Base_traits;
   typedef CGAL::Search_traits_adapter<std::size_t, Position_map, Base_traits> Traits;
   typedef CGAL::Orthogonal_k_neighbor_search<Traits> Search;
   typedef typename Search::Tree Tree;
@@ -97,13 +97,15 @@ inline Cloud_scale cloud_scale(const std::vector<Vector>& positions, const std::
   const typename Search::Distance metric(map);
   Density_measures measures;
   const unsigned int wanted_or_all = static_cast<unsigned int>((std::min)(density_neighbors + 1, unique.size()));
-  for (std::size_t q : queries) {
+  for (std::size_t q : queries)
+  {
     const Search search(tree, positions[q], wanted_or_all, 0., true, metric);
     std::size_t neighbors = 0;
     double first = 0., last = 0., slope = 0.;
-    for (const auto& neighbor : search) {
+    for (const auto& neighbor : search)
+    {
       if (!(neighbor.second > 0.))
-        continue;   // the query itself
+        continue; // the query itself
       last = neighbor.second;
       if (neighbors++ == 0)
         first = last;

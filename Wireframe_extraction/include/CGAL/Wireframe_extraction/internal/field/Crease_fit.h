@@ -31,12 +31,12 @@ namespace internal {
 struct Crease
 {
   Local_curve curve;
-  double fold = 0.;          // angle by which the normal turns across the curve
+  double fold = 0.; // angle by which the normal turns across the curve
   double fold_deviation = 1.;
-  double deviation = 1.;     // standard deviation of the curve's position, across it, where it is known worst
-  double residual = 1.;      // of the points from the strips, root mean square
-  bool is_traced = false;    // part of a curve along the crease
-  Vector strips[2];          // unit directions in which the strips leave the curve's point
+  double deviation = 1.;  // standard deviation of the curve's position, across it, where it is known worst
+  double residual = 1.;   // of the points from the strips, root mean square
+  bool is_traced = false; // part of a curve along the crease
+  Vector strips[2];       // unit directions in which the strips leave the curve's point
 
   // whether the surface is folded there beyond doubt
   bool is_sharp() const { return fold > (std::max)(0.35, 4. * fold_deviation); }
@@ -45,7 +45,8 @@ struct Crease
   bool holds(const Vector& p, double tolerance) const
   {
     const Vector offset = p - curve.at(curve.parameter(p));
-    for (const Vector& strip : strips) {
+    for (const Vector& strip : strips)
+    {
       const double along = offset.dot(strip);
       if (along > -tolerance && (offset - along * strip).norm() < tolerance + 0.1 * along * along)
         return true;
@@ -57,8 +58,8 @@ struct Crease
 struct Crease_fit_options
 {
   double radius = 4.;
-  double field_noise = 0.3;     // of the distances
-  double surface_noise = 0.1;   // of the points' positions
+  double field_noise = 0.3;   // of the distances
+  double surface_noise = 0.1; // of the points' positions
   int iterations = 8;
 };
 
@@ -72,12 +73,15 @@ class Crease_fit
   typedef Eigen::Matrix<double, size, size> Matrix;
   typedef Eigen::Matrix<double, size, 1> Parameters;
 
-  struct Sample { double s, x, y, distance, weight; };
+  struct Sample
+  {
+    double s, x, y, distance, weight;
+  };
 
   const Field_band& m_band;
   std::vector<std::size_t> m_ball;
   std::vector<Sample> m_samples;
-  std::vector<double> m_losses;     // of the samples, for each direction
+  std::vector<double> m_losses; // of the samples, for each direction
 
   static constexpr int number_of_directions = 32;
 
@@ -104,7 +108,8 @@ public:
     Matrix hessian;
     const double least_scale = 2.5 * options.surface_noise;
     double scale = (std::max)(least_scale, 0.6);
-    for (int k = 0; k < options.iterations; ++k) {
+    for (int k = 0; k < options.iterations; ++k)
+    {
       Parameters gradient;
       const double residual = accumulate(q, options, scale, hessian, gradient);
       const Parameters delta = hessian.ldlt().solve(gradient);
@@ -120,7 +125,8 @@ public:
     crease.curve.tangent = (start.tangent + q[2] * normal + q[3] * binormal).normalized();
     crease.curve.bend = (bend_x + q[4]) * normal + (bend_y + q[5]) * binormal;
     crease.curve.bend -= crease.curve.bend.dot(crease.curve.tangent) * crease.curve.tangent;
-    for (int k = 0; k < 2; ++k) {
+    for (int k = 0; k < 2; ++k)
+    {
       Vector& strip = crease.strips[k];
       strip = std::cos(q[6 + k]) * normal + std::sin(q[6 + k]) * binormal;
       strip = (strip - strip.dot(crease.curve.tangent) * crease.curve.tangent).normalized();
@@ -148,7 +154,8 @@ public:
     };
     // a corner ahead does not show in the residual where the points err more
     const bool tells_of_corners = options.surface_noise < 0.05;
-    for (double factor : {1.5, 1., 0.6, 0.4}) {
+    for (double factor : {1.5, 1., 0.6, 0.4})
+    {
       const bool may_show_more = try_ball(factor, 0.);
       if (previous && factor > 0.5 && (may_show_more || !tells_of_corners))
         try_ball(factor, 0.6);
@@ -165,7 +172,8 @@ private:
     const double bend_x = start.bend.dot(normal), bend_y = start.bend.dot(binormal);
     m_band.search.query(center, radius, m_ball);
     m_samples.clear();
-    for (std::size_t i : m_ball) {
+    for (std::size_t i : m_ball)
+    {
       const Vector offset = m_band.points[i] - start.point;
       const double s = offset.dot(start.tangent);
       const double ratio = (m_band.points[i] - center).squaredNorm() / (radius * radius);
@@ -177,8 +185,8 @@ private:
   // the pair of directions whose half-lines pass closest to the points
   void find_directions(double& first, double& second)
   {
-    static const std::vector<std::pair<double, double> > directions = [] {
-      std::vector<std::pair<double, double> > result;
+    static const std::vector<std::pair<double, double>> directions = [] {
+      std::vector<std::pair<double, double>> result;
       for (int k = 0; k < number_of_directions; ++k)
         result.emplace_back(std::cos(2. * CGAL_PI * k / number_of_directions),
                             std::sin(2. * CGAL_PI * k / number_of_directions));
@@ -189,7 +197,8 @@ private:
     const std::size_t stride = (m_samples.size() + lanes - 1) / lanes * lanes;
     m_losses.assign(stride * number_of_directions, 0.);
     for (int k = 0; k < number_of_directions; ++k)
-      for (std::size_t i = 0; i < m_samples.size(); ++i) {
+      for (std::size_t i = 0; i < m_samples.size(); ++i)
+      {
         const Sample& p = m_samples[i];
         const double along = p.x * directions[k].first + p.y * directions[k].second;
         const double across = p.y * directions[k].first - p.x * directions[k].second;
@@ -198,14 +207,16 @@ private:
       }
     double best = (std::numeric_limits<double>::infinity)();
     for (int j = 0; j < number_of_directions; ++j)
-      for (int k = j + 1; k < number_of_directions; ++k) {
+      for (int k = j + 1; k < number_of_directions; ++k)
+      {
         const double *a = m_losses.data() + j * stride, *b = m_losses.data() + k * stride;
         double sums[lanes] = {};
         for (std::size_t i = 0; i < stride; i += lanes)
           for (std::size_t l = 0; l < lanes; ++l)
             sums[l] += (std::min)(a[i + l], b[i + l]);
         const double sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
-        if (sum < best) {
+        if (sum < best)
+        {
           best = sum;
           first = 2. * CGAL_PI * j / number_of_directions;
           second = 2. * CGAL_PI * k / number_of_directions;
@@ -216,7 +227,7 @@ private:
   struct Offset
   {
     double x, y, along, across;
-    double cosine, sine;       // of the strip's direction there
+    double cosine, sine; // of the strip's direction there
     int strip;
     bool is_valid;
   };
@@ -232,10 +243,13 @@ private:
     {
       const double a = s * twist, aa = a * a;
       double sine_of_turn, cosine_of_turn;
-      if (std::abs(a) > 0.5) {
+      if (std::abs(a) > 0.5)
+      {
         sine_of_turn = std::sin(a);
         cosine_of_turn = std::cos(a);
-      } else {
+      }
+      else
+      {
         // most angles are small, so that a few terms of the series are as good as the functions themselves
         static constexpr double s3 = 1. / 6., s5 = s3 / 20., s7 = s5 / 42., s9 = s7 / 72., s11 = s9 / 110.;
         static constexpr double c2 = 1. / 2., c4 = c2 / 12., c6 = c4 / 30., c8 = c6 / 56., c10 = c8 / 90.,
@@ -262,12 +276,14 @@ private:
     best.x = p.x - q[0] - p.s * q[2] - 0.5 * p.s * p.s * q[4];
     best.y = p.y - q[1] - p.s * q[3] - 0.5 * p.s * p.s * q[5];
     best.is_valid = false;
-    for (int k = 0; k < 2; ++k) {
+    for (int k = 0; k < 2; ++k)
+    {
       double c, s;
       strips.directions[k].at(p.s, c, s);
       const double along = best.x * c + best.y * s;
       const double across = best.y * c - best.x * s - 0.5 * q[8 + k] * along * along;
-      if (along > 0. && (!best.is_valid || std::abs(across) < std::abs(best.across))) {
+      if (along > 0. && (!best.is_valid || std::abs(across) < std::abs(best.across)))
+      {
         best.along = along;
         best.across = across;
         best.cosine = c;
@@ -289,7 +305,7 @@ private:
     {
       double angle_angle[3] = {}, angle_curvature[2] = {}, curvature_curvature = 0.;
       double x_angle[4] = {}, y_angle[4] = {}, x_curvature[3] = {}, y_curvature[3] = {};
-      double angle[2] = {}, curvature = 0.;       // right-hand side
+      double angle[2] = {}, curvature = 0.; // right-hand side
     } strips[2];
     double x_bias[3] = {}, y_bias[3] = {}, bias_bias = 0., bias = 0.;
 
@@ -303,11 +319,13 @@ private:
       for (int k = 0; k < 2; ++k)
         strip.angle_curvature[k] += wa * by_curvature * powers[k];
       strip.curvature_curvature += wc * by_curvature;
-      for (int k = 0; k < 4; ++k) {
+      for (int k = 0; k < 4; ++k)
+      {
         strip.x_angle[k] += wa * by_x * powers[k];
         strip.y_angle[k] += wa * by_y * powers[k];
       }
-      for (int k = 0; k < 3; ++k) {
+      for (int k = 0; k < 3; ++k)
+      {
         strip.x_curvature[k] += wc * by_x * powers[k];
         strip.y_curvature[k] += wc * by_y * powers[k];
       }
@@ -318,7 +336,8 @@ private:
 
     void add_bias(const double* powers, double by_x, double by_y, double weight, double e)
     {
-      for (int k = 0; k < 3; ++k) {
+      for (int k = 0; k < 3; ++k)
+      {
         x_bias[k] -= weight * by_x * powers[k];
         y_bias[k] -= weight * by_y * powers[k];
       }
@@ -331,10 +350,12 @@ private:
       static constexpr double factors[3] = {1., 1., 0.5};
       hessian.setZero();
       apex.assemble(hessian, gradient);
-      for (int j = 0; j < 3; ++j) {
+      for (int j = 0; j < 3; ++j)
+      {
         hessian(2 * j, 12) = factors[j] * x_bias[j];
         hessian(2 * j + 1, 12) = factors[j] * y_bias[j];
-        for (int i = 0; i < 2; ++i) {
+        for (int i = 0; i < 2; ++i)
+        {
           const Strip& strip = strips[i];
           hessian(2 * j, 6 + i) = factors[j] * strip.x_angle[j];
           hessian(2 * j + 1, 6 + i) = factors[j] * strip.y_angle[j];
@@ -344,7 +365,8 @@ private:
           hessian(2 * j + 1, 10 + i) = factors[j] * strip.y_angle[j + 1];
         }
       }
-      for (int i = 0; i < 2; ++i) {
+      for (int i = 0; i < 2; ++i)
+      {
         const Strip& strip = strips[i];
         hessian(6 + i, 6 + i) = strip.angle_angle[0];
         hessian(6 + i, 10 + i) = strip.angle_angle[1];
@@ -371,11 +393,13 @@ private:
     const double surface_weight = 1. / (options.surface_noise * options.surface_noise);
     const double field_weight = 1. / (options.field_noise * options.field_noise);
     const double per_scale = 1. / scale, per_field_scale = 1. / (std::max)(2.5 * options.field_noise, scale);
-    for (const Sample& p : m_samples) {
+    for (const Sample& p : m_samples)
+    {
       const Offset offset = locate(q, strips, p);
       const double square = p.s * p.s;
       const double powers[5] = {1., p.s, square, square * p.s, square * square};
-      if (offset.is_valid) {
+      if (offset.is_valid)
+      {
         const double curvature = q[8 + offset.strip];
         // derivatives of the residual `across` by the apex, and by the angle
         const double by_x = offset.sine + curvature * offset.along * offset.cosine,
@@ -390,11 +414,12 @@ private:
       const double miss = offset.is_valid ? offset.across : distance;
       squares += p.weight * miss * miss;
       total += p.weight;
-      if (distance > 1e-9) {
+      if (distance > 1e-9)
+      {
         const double per_distance = 1. / (std::max)(distance, 0.05);
         const double e = p.distance - q[12] - distance;
-        const double weight = p.weight * field_weight * robust_weight(e * per_field_scale)
-          / (1. + 0.5 * p.distance * p.distance);
+        const double weight =
+          p.weight * field_weight * robust_weight(e * per_field_scale) / (1. + 0.5 * p.distance * p.distance);
         sums.apex.add(powers, offset.x * per_distance, offset.y * per_distance, weight, e);
         sums.add_bias(powers, offset.x * per_distance, offset.y * per_distance, weight, e);
       }
@@ -402,7 +427,8 @@ private:
     sums.assemble(hessian, gradient);
     // expected sizes: of curvature and twist, and of the bias
     static constexpr double deviations[size] = {0., 0., 0., 0., 0.12, 0.12, 0., 0., 0.08, 0.08, 0.06, 0.06, 0.};
-    for (int k = 0; k < size; ++k) {
+    for (int k = 0; k < size; ++k)
+    {
       const double deviation = k == 12 ? options.field_noise : deviations[k];
       const double information = deviation > 0. ? 1. / (deviation * deviation) : 1e-3 + 1e-4 * hessian(k, k);
       hessian(k, k) += information;
@@ -417,7 +443,8 @@ private:
   {
     double squares = 0., total = 0.;
     const Strips strips(q);
-    for (const Sample& p : m_samples) {
+    for (const Sample& p : m_samples)
+    {
       const Offset offset = locate(q, strips, p);
       const double distance = std::sqrt(offset.x * offset.x + offset.y * offset.y);
       if (distance > 3. || std::abs(p.s) > 2.)
@@ -434,11 +461,11 @@ private:
       units(wanted[k], k) = 1.;
     const Eigen::Matrix<double, size, 4> covariance = hessian.ldlt().solve(units);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance.topLeftCorner<2, 2>(),
-                                                               Eigen::EigenvaluesOnly);
+                                                                Eigen::EigenvaluesOnly);
     const double inflation = (std::max)(1., crease.residual / options.surface_noise);
     crease.deviation = inflation * std::sqrt((std::max)(0., solver.eigenvalues()[1]));
-    crease.fold_deviation = inflation
-      * std::sqrt((std::max)(0., covariance(6, 2) + covariance(7, 3) - 2. * covariance(6, 3)));
+    crease.fold_deviation =
+      inflation * std::sqrt((std::max)(0., covariance(6, 2) + covariance(7, 3) - 2. * covariance(6, 3)));
   }
 };
 

@@ -27,7 +27,7 @@ namespace internal {
 struct Crease_path
 {
   std::vector<Crease> creases;
-  std::vector<Local_curve> fronts;      // where it was asked whether the curve is traced already
+  std::vector<Local_curve> fronts; // where it was asked whether the curve is traced already
   bool is_closed = false;
 };
 
@@ -55,9 +55,9 @@ class Crease_tracer
   std::vector<std::size_t> m_ball;
 
   static constexpr double step = 0.5;
-  static constexpr double longest_miss = 1.6;     // without a crease, then the curve ends
-  static constexpr double longest_gap = 40.;      // on a crease which the field does not see
-  static constexpr std::size_t trail = 8;         // steps of the path that are no news to the front
+  static constexpr double longest_miss = 1.6; // without a crease, then the curve ends
+  static constexpr double longest_gap = 40.;  // on a crease which the field does not see
+  static constexpr std::size_t trail = 8;     // steps of the path that are no news to the front
 
 public:
   // `options.field_noise` is the noise of the field, which only decides where the field agrees
@@ -70,8 +70,7 @@ public:
   // its position is known well enough, and the surface is folded there whatever the field says
   bool may_start(const Crease& crease) const
   {
-    return crease.deviation < (std::max)(0.03, 0.8 * m_field_noise)
-      && crease.is_sharp();
+    return crease.deviation < (std::max)(0.03, 0.8 * m_field_noise) && crease.is_sharp();
   }
 
   // less is asked of what a crease leads to
@@ -96,14 +95,16 @@ public:
     std::vector<Crease> forward, backward;
     Segment_grid own;
     path.is_closed = follow(seed, own, forward, path.fronts);
-    if (!path.is_closed) {
+    if (!path.is_closed)
+    {
       Crease reversed = seed;
       reversed.curve.tangent = -seed.curve.tangent;
       for (std::size_t k = trail; k < forward.size(); ++k)
         own.add(0, {forward[k - 1].curve.point, forward[k].curve.point});
       follow(reversed, own, backward, path.fronts);
     }
-    for (auto it = backward.rbegin(); it != backward.rend(); ++it) {
+    for (auto it = backward.rbegin(); it != backward.rend(); ++it)
+    {
       path.creases.push_back(*it);
       path.creases.back().curve.tangent = -it->curve.tangent;
     }
@@ -131,7 +132,8 @@ public:
   double share_of_support(const std::vector<Vector>& points)
   {
     std::size_t supported = 0;
-    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    for (std::size_t k = 0; k + 1 < points.size(); ++k)
+    {
       Local_curve curve;
       curve.point = points[k];
       const Vector direction = points[k + 1] - points[k];
@@ -149,12 +151,13 @@ private:
   // whether it came back to where it began
   bool follow(const Crease& start, Segment_grid& own, std::vector<Crease>& path, std::vector<Local_curve>& fronts)
   {
-    Crease front = start;       // the last one that is sure
+    Crease front = start; // the last one that is sure
     Local_curve predicted = start.curve;
     double miss = 0., gap = 0., length = 0.;
     std::size_t supported = 0, covered = 0;
     const std::size_t most = 10 + 4 * m_band.size();
-    while (path.size() < most) {
+    while (path.size() < most)
+    {
       const Vector last = predicted.point;
       const Local_curve ahead = predicted.ahead(step);
       Crease next;
@@ -162,14 +165,18 @@ private:
       predicted = is_sure ? next.curve : ahead;
       length += (predicted.point - last).norm();
       fronts.push_back(predicted);
-      if (is_traced(predicted) || runs_along(own, predicted, reach())) {
-        if (++covered == 3) {
+      if (is_traced(predicted) || runs_along(own, predicted, reach()))
+      {
+        if (++covered == 3)
+        {
           path.resize(path.size() - (std::min)(path.size(), std::size_t(2)));
           return false;
         }
-      } else
+      }
+      else
         covered = 0;
-      if (!is_sure) {
+      if (!is_sure)
+      {
         miss += step;
         if (miss > longest_miss)
           break;
@@ -180,12 +187,15 @@ private:
       front = next;
       if (path.size() > trail)
         own.add(0, {path[path.size() - trail - 1].curve.point, path[path.size() - trail].curve.point});
-      if (is_supported(next.curve)) {
+      if (is_supported(next.curve))
+      {
         gap = 0.;
         supported = path.size();
-      } else
+      }
+      else
         gap += step;
-      if (gap > longest_gap) {
+      if (gap > longest_gap)
+      {
         // the field denies a crease as long as that
         path.resize(supported);
         return false;
@@ -205,8 +215,8 @@ private:
     best.is_traced = true;
     return goes_on(best) && best.fold > 0.6 * from.fold
       && (best.curve.point - ahead.point).norm() < 0.2 + 2. * (best.deviation + from.deviation)
-      && best.curve.tangent.dot(ahead.tangent) > 0.95
-      && best.curve.tangent.dot(from.curve.tangent) > 0.93 && is_held(best);
+      && best.curve.tangent.dot(ahead.tangent) > 0.95 && best.curve.tangent.dot(from.curve.tangent) > 0.93
+      && is_held(best);
   }
 
   // whether the points around the crease's point lie on its strips
@@ -224,7 +234,8 @@ private:
   {
     m_band.search.query(curve.point, 1.8, m_ball);
     double agreeing = 0., opposing = 0.;
-    for (std::size_t i : m_ball) {
+    for (std::size_t i : m_ball)
+    {
       const double distance = curve.distance(m_band.points[i]);
       const bool agrees = std::abs(m_band.distances[i] - distance) < Tracing_options::tolerance(m_field_noise);
       (agrees ? agreeing : opposing) += 1. / (0.5 + distance);

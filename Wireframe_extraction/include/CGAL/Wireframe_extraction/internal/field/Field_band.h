@@ -61,17 +61,22 @@ struct Position_map
 inline std::vector<std::size_t> different_positions(const std::vector<Vector>& positions)
 {
   // Equal positions have equal keys, and different ones hardly ever: the sort needs to look at keys only.
-  struct Keyed { double key; std::size_t index; };
+  struct Keyed
+  {
+    double key;
+    std::size_t index;
+  };
   std::vector<Keyed> order(positions.size());
   for (std::size_t i = 0; i < order.size(); ++i)
     order[i] = {positions[i].x() + 0.7548776662466927 * positions[i].y() + 0.5698402909980532 * positions[i].z(), i};
-  std::sort(order.begin(), order.end(), [](const Keyed& a, const Keyed& b) {
-    return a.key < b.key || (a.key == b.key && a.index < b.index);
-  });
+  std::sort(order.begin(), order.end(),
+            [](const Keyed& a, const Keyed& b) { return a.key < b.key || (a.key == b.key && a.index < b.index); });
   std::vector<std::size_t> result;
-  for (std::size_t first = 0, beyond = 0; first < order.size(); first = beyond) {
+  for (std::size_t first = 0, beyond = 0; first < order.size(); first = beyond)
+  {
     const std::size_t known = result.size();
-    for (beyond = first; beyond < order.size() && order[beyond].key == order[first].key; ++beyond) {
+    for (beyond = first; beyond < order.size() && order[beyond].key == order[first].key; ++beyond)
+    {
       const Vector& p = positions[order[beyond].index];
       if (std::none_of(result.begin() + known, result.end(), [&](std::size_t i) { return positions[i] == p; }))
         result.push_back(order[beyond].index);
@@ -84,8 +89,8 @@ inline std::vector<std::size_t> different_positions(const std::vector<Vector>& p
 // Ball queries over a vector of positions that stays where it is. Answers are indices.
 class Ball_search
 {
-  typedef CGAL::Search_traits<double, Vector, const double*, Construct_vector_coordinates,
-                              CGAL::Dimension_tag<3> > Base_traits;
+  typedef CGAL::Search_traits<double, Vector, const double*, Construct_vector_coordinates, CGAL::Dimension_tag<3>>
+    Base_traits;
   typedef CGAL::Search_traits_adapter<std::size_t, Position_map, Base_traits> Traits;
   typedef CGAL::Sliding_midpoint<Traits> Splitter;
   typedef CGAL::Kd_tree<Traits, Splitter, CGAL::Tag_true, CGAL::Tag_true> Tree;
@@ -107,8 +112,7 @@ public:
     if (count == 0)
       return;
     m_tree = std::make_unique<Tree>(boost::counting_iterator<std::size_t>(0),
-                                    boost::counting_iterator<std::size_t>(count),
-                                    Splitter(), Traits(m_map));
+                                    boost::counting_iterator<std::size_t>(count), Splitter(), Traits(m_map));
     m_tree->build();
   }
 
@@ -135,10 +139,10 @@ struct Field_band
 {
   std::vector<Vector> points;
   std::vector<double> distances;
-  std::vector<std::size_t> indices;   // into the cloud
-  std::vector<double> deviations;     // standard deviations of the distances, where they are known
-  std::vector<char> is_on_crease;     // whether the surface has a crease there, where that is known
-  std::size_t skeleton_size = 0;      // the first ones are the skeleton
+  std::vector<std::size_t> indices; // into the cloud
+  std::vector<double> deviations;   // standard deviations of the distances, where they are known
+  std::vector<char> is_on_crease;   // whether the surface has a crease there, where that is known
+  std::size_t skeleton_size = 0;    // the first ones are the skeleton
   Ball_search search;
 
   std::size_t size() const { return points.size(); }

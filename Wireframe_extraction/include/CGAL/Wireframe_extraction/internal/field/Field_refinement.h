@@ -36,12 +36,12 @@ class Field_refinement
   const Field_band& m_band;
   const Contraction& m_contraction;
   Crease_fit_options m_options;
-  std::vector<std::size_t> m_places;     // points of the skeleton at which creases are looked for
-  std::vector<Vector> m_positions;       // theirs
-  Ball_search m_search;                  // among them
-  std::vector<Crease> m_creases;         // those of the places come first
+  std::vector<std::size_t> m_places; // points of the skeleton at which creases are looked for
+  std::vector<Vector> m_positions;   // theirs
+  Ball_search m_search;              // among them
+  std::vector<Crease> m_creases;     // those of the places come first
   Traced_creases m_traced;
-  std::vector<Traced_curve> m_curves;   // along creases
+  std::vector<Traced_curve> m_curves; // along creases
 
   struct Average
   {
@@ -98,7 +98,8 @@ public:
     std::vector<Vector> feet;
     std::vector<std::size_t> good;
     for (std::size_t i = 0; i < m_creases.size(); ++i)
-      if (is_good(m_creases[i])) {
+      if (is_good(m_creases[i]))
+      {
         good.push_back(i);
         feet.push_back(m_creases[i].curve.point);
       }
@@ -107,23 +108,31 @@ public:
     is_on_crease.resize(m_band.size());
     const Ball_search search(feet);
     const std::vector<std::size_t> order = m_band.search.spatial_order();
-    return for_each_piece_or_cancel(order.size(), [&](std::size_t begin, std::size_t end) {
-      std::vector<std::size_t> found;
-      for (std::size_t n = begin; n < end; ++n) {
-        const std::size_t i = order[n];
-        search.query(m_band.points[i], (std::min)(3., m_band.distances[i]) + 1.5, found);
-        for (std::size_t& k : found)
-          k = good[k];
-        const Estimate estimate = estimate_at(i, found);
-        distances[i] = estimate.distance;
-        deviations[i] = estimate.deviation;
-        is_on_crease[i] = estimate.is_on_crease;
-      }
-    }, proceed);
+    return for_each_piece_or_cancel(
+      order.size(),
+      [&](std::size_t begin, std::size_t end) {
+        std::vector<std::size_t> found;
+        for (std::size_t n = begin; n < end; ++n)
+        {
+          const std::size_t i = order[n];
+          search.query(m_band.points[i], (std::min)(3., m_band.distances[i]) + 1.5, found);
+          for (std::size_t& k : found)
+            k = good[k];
+          const Estimate estimate = estimate_at(i, found);
+          distances[i] = estimate.distance;
+          deviations[i] = estimate.deviation;
+          is_on_crease[i] = estimate.is_on_crease;
+        }
+      },
+      proceed);
   }
 
 private:
-  struct Estimate { double distance, deviation; bool is_on_crease; };
+  struct Estimate
+  {
+    double distance, deviation;
+    bool is_on_crease;
+  };
 
   // what good creases nearby say of a point of the band; `creases` is used for more
   Estimate estimate_at(std::size_t i, std::vector<std::size_t>& creases) const
@@ -134,13 +143,15 @@ private:
     Average any, strong;
     double nearest = nowhere, deviation_of_nearest = 0.;
     bool is_on_crease = false;
-    for (std::size_t k : creases) {
+    for (std::size_t k : creases)
+    {
       const Crease& crease = m_creases[k];
       const double s = crease.curve.parameter(point) / 1.5;
       if (std::abs(s) >= 1. || !crease.holds(point, 0.2 + 3. * m_options.surface_noise))
         continue;
       const double distance = crease.curve.distance(point);
-      if (crease.is_traced && std::abs(s) < 0.5 && distance < nearest) {
+      if (crease.is_traced && std::abs(s) < 0.5 && distance < nearest)
+      {
         nearest = distance;
         deviation_of_nearest = crease.deviation;
       }
@@ -192,18 +203,23 @@ private:
   {
     const std::vector<std::size_t> seeds = crease_seeds();
     std::size_t end = 0;
-    for (std::size_t begin = 0; begin < seeds.size(); begin = end) {
+    for (std::size_t begin = 0; begin < seeds.size(); begin = end)
+    {
       if (!proceed(double(begin) / double(seeds.size())))
         return false;
       const std::vector<std::size_t> chosen = seeds_far_apart(seeds, begin, end);
       std::vector<Crease_path> paths(chosen.size());
-      for_each_piece(chosen.size(), [&](std::size_t first, std::size_t beyond) {
-        for (std::size_t k = first; k < beyond; ++k)
-          paths[k] = tracer().trace(m_creases[chosen[k]]);
-      }, 1);
+      for_each_piece(
+        chosen.size(),
+        [&](std::size_t first, std::size_t beyond) {
+          for (std::size_t k = first; k < beyond; ++k)
+            paths[k] = tracer().trace(m_creases[chosen[k]]);
+        },
+        1);
       Traced_creases meanwhile;
       std::size_t next = 0;
-      for (std::size_t n = begin; n < end; ++n) {
+      for (std::size_t n = begin; n < end; ++n)
+      {
         const bool is_chosen = next < chosen.size() && chosen[next] == seeds[n];
         const std::size_t k = next;
         next += is_chosen;
@@ -241,7 +257,8 @@ private:
     const std::size_t most = concurrency();
     const Crease_tracer tracer = this->tracer();
     std::vector<std::size_t> chosen;
-    for (end = begin; end < seeds.size() && chosen.size() < most; ++end) {
+    for (end = begin; end < seeds.size() && chosen.size() < most; ++end)
+    {
       const Local_curve& seed = m_creases[seeds[end]].curve;
       const bool is_far = std::all_of(chosen.begin(), chosen.end(), [&](std::size_t i) {
         return (m_creases[i].curve.point - seed.point).norm() > least_distance;
@@ -271,9 +288,11 @@ private:
     const std::size_t count = (std::min)(most, m_contraction.curves.size());
     Crease_fit fit(m_band);
     m_options.surface_noise = 0.1;
-    for (int round = 0; round < 2; ++round) {
+    for (int round = 0; round < 2; ++round)
+    {
       std::vector<double> residuals;
-      for (std::size_t k = 0; k < count; ++k) {
+      for (std::size_t k = 0; k < count; ++k)
+      {
         const Local_curve& curve = m_contraction.curves[k * m_contraction.curves.size() / count];
         residuals.push_back(fit.fit(curve, curve.point, m_options).residual);
       }
@@ -298,7 +317,8 @@ private:
     });
     std::vector<char> is_covered(curves.size(), 0);
     std::vector<std::size_t> found;
-    for (std::size_t i : order) {
+    for (std::size_t i : order)
+    {
       if (is_covered[i])
         continue;
       m_places.push_back(i);
@@ -318,13 +338,17 @@ private:
   {
     m_creases.resize(m_places.size());
     const std::vector<std::size_t> order = m_search.spatial_order();
-    return for_each_piece_or_cancel(order.size(), [&](std::size_t begin, std::size_t end) {
-      Crease_fit fit(m_band);
-      for (std::size_t n = begin; n < end; ++n) {
-        const std::size_t k = order[n];
-        m_creases[k] = fit.fit_with_best_radius(m_contraction.curves[m_places[k]], m_options);
-      }
-    }, proceed);
+    return for_each_piece_or_cancel(
+      order.size(),
+      [&](std::size_t begin, std::size_t end) {
+        Crease_fit fit(m_band);
+        for (std::size_t n = begin; n < end; ++n)
+        {
+          const std::size_t k = order[n];
+          m_creases[k] = fit.fit_with_best_radius(m_contraction.curves[m_places[k]], m_options);
+        }
+      },
+      proceed);
   }
 };
 

@@ -56,9 +56,9 @@ struct Local_curve
 
 struct Local_fit_options
 {
-  double radius = 4.;            // of the ball the points come from
-  double scale = 0.3;            // residuals well above it count as outliers
-  double bend_deviation = 0.2;   // expected size of the curvature
+  double radius = 4.;          // of the ball the points come from
+  double scale = 0.3;          // residuals well above it count as outliers
+  double bend_deviation = 0.2; // expected size of the curvature
   int iterations = 8;
 };
 
@@ -66,13 +66,17 @@ struct Local_fit_options
 // Robust Gauss-Newton steps on the sum of rho(d_i - |p_i - c(p_i)|).
 class Local_curve_fit
 {
-  struct Sample { Vector point; double distance, deviation, weight; };
+  struct Sample
+  {
+    Vector point;
+    double distance, deviation, weight;
+  };
 
   const Field_band& m_band;
   std::vector<std::size_t> m_ball;
   Vector m_center = Vector::Zero();
   double m_radius = -1.;
-  std::vector<Sample> m_samples;      // of the ball, for a fit
+  std::vector<Sample> m_samples; // of the ball, for a fit
 
 public:
   explicit Local_curve_fit(const Field_band& band) : m_band(band) {}
@@ -93,12 +97,13 @@ public:
     double total = 0.;
     Vector mean = Vector::Zero();
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-    for (std::size_t i : m_ball) {
+    for (std::size_t i : m_ball)
+    {
       if (!accept(i))
         continue;
       const Vector offset = m_band.points[i] - center;
-      const double weight = std::exp(-m_band.distances[i] * m_band.distances[i])
-        * kernel(offset.squaredNorm() / (radius * radius));
+      const double weight =
+        std::exp(-m_band.distances[i] * m_band.distances[i]) * kernel(offset.squaredNorm() / (radius * radius));
       total += weight;
       mean += weight * offset;
       moments += weight * offset * offset.transpose();
@@ -118,7 +123,8 @@ public:
   void refine(Local_curve& curve, const Vector& center, const Local_fit_options& options)
   {
     collect(center, options.radius);
-    for (int k = 0; k < options.iterations; ++k) {
+    for (int k = 0; k < options.iterations; ++k)
+    {
       // the outliers leave gradually, or the first guess would decide alone
       const double scale = (std::max)(options.scale, 1.2 * std::pow(0.6, k));
       curve.move_along_to(center);
@@ -132,7 +138,8 @@ public:
   void refine_from(Local_curve& curve, const Vector& center, const Local_fit_options& options)
   {
     collect(center, options.radius);
-    for (int k = 0; k < options.iterations; ++k) {
+    for (int k = 0; k < options.iterations; ++k)
+    {
       curve.move_along_to(center);
       if (step(curve, options, options.scale) < 1e-4)
         break;
@@ -145,10 +152,11 @@ public:
   double refine_with_best_radius(Local_curve& curve, const Local_fit_options& options, const Refine& refine_one)
   {
     static constexpr double factors[] = {1.6, 1., 0.6, 0.4};
-    static constexpr double good_enough = 0.02;     // whatever the others are
+    static constexpr double good_enough = 0.02; // whatever the others are
     Local_curve fits[4];
     double residuals[4], best = 1.;
-    for (int k = 0; k < 4 && (k == 0 || residuals[0] > good_enough); ++k) {
+    for (int k = 0; k < 4 && (k == 0 || residuals[0] > good_enough); ++k)
+    {
       fits[k] = curve;
       Local_fit_options scaled = options;
       scaled.radius *= factors[k];
@@ -169,7 +177,8 @@ public:
   {
     query(center, radius);
     double sum = 0., total = 0.;
-    for (std::size_t i : m_ball) {
+    for (std::size_t i : m_ball)
+    {
       const double weight = field_weight(m_band.distances[i]) / (0.01 + std::pow(m_band.deviation(i, 0.), 2));
       const double e = m_band.distances[i] - curve.distance(m_band.points[i]);
       sum += weight * (std::min)(1., e * e);
@@ -199,9 +208,9 @@ private:
     query(center, radius);
     m_samples.clear();
     for (std::size_t i : m_ball)
-      m_samples.push_back({m_band.points[i], m_band.distances[i], m_band.deviation(i, 0.),
-                           field_weight(m_band.distances[i])
-                           * kernel((m_band.points[i] - center).squaredNorm() / (radius * radius))});
+      m_samples.push_back(
+        {m_band.points[i], m_band.distances[i], m_band.deviation(i, 0.),
+         field_weight(m_band.distances[i]) * kernel((m_band.points[i] - center).squaredNorm() / (radius * radius))});
   }
 
   // the field errs more the farther from the feature
@@ -217,7 +226,8 @@ private:
     Vector6 gradient;
     const double bend_x = curve.bend.dot(normal), bend_y = curve.bend.dot(binormal);
     Section_sums sums;
-    for (const Sample& sample : m_samples) {
+    for (const Sample& sample : m_samples)
+    {
       const Vector offset = sample.point - curve.point;
       const double s = offset.dot(curve.tangent), square = s * s;
       const double x = offset.dot(normal) - 0.5 * square * bend_x;
@@ -242,7 +252,8 @@ private:
     gradient(4) -= prior * bend_x;
     gradient(5) -= prior * bend_y;
     // the same for both normals, since their directions are arbitrary
-    for (int k = 0; k < 6; k += 2) {
+    for (int k = 0; k < 6; k += 2)
+    {
       const double damping = 1e-3 + 0.5e-3 * (hessian(k, k) + hessian(k + 1, k + 1));
       hessian(k, k) += damping;
       hessian(k + 1, k + 1) += damping;

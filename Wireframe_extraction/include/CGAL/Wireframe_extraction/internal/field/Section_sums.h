@@ -20,21 +20,23 @@ namespace internal {
 // are those by the position, times 1, s and s^2 / 2: sums over powers of s hold all of their products.
 struct Section_sums
 {
-  double xx[5] = {}, xy[5] = {}, yy[5] = {};    // by powers of s
-  double x[3] = {}, y[3] = {};                  // right-hand side
+  double xx[5] = {}, xy[5] = {}, yy[5] = {}; // by powers of s
+  double x[3] = {}, y[3] = {};               // right-hand side
 
   // A residual e with its derivatives by the position; `powers` are those of s, from 1 to s^4.
   void add(const double* powers, double by_x, double by_y, double weight, double e)
   {
     const double wx = weight * by_x, wy = weight * by_y;
     const double wxx = wx * by_x, wxy = wx * by_y, wyy = wy * by_y;
-    for (int k = 0; k < 5; ++k) {
+    for (int k = 0; k < 5; ++k)
+    {
       xx[k] += wxx * powers[k];
       xy[k] += wxy * powers[k];
       yy[k] += wyy * powers[k];
     }
     const double wex = wx * e, wey = wy * e;
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k)
+    {
       x[k] -= wex * powers[k];
       y[k] -= wey * powers[k];
     }
@@ -45,8 +47,10 @@ struct Section_sums
   void assemble(Matrix& hessian, Column& gradient) const
   {
     static constexpr double factors[3] = {1., 1., 0.5};
-    for (int j = 0; j < 3; ++j) {
-      for (int k = 0; k < 3; ++k) {
+    for (int j = 0; j < 3; ++j)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
         const double factor = factors[j] * factors[k];
         hessian(2 * j, 2 * k) = factor * xx[j + k];
         hessian(2 * j, 2 * k + 1) = hessian(2 * k + 1, 2 * j) = factor * xy[j + k];

@@ -36,7 +36,7 @@ struct Polyline_foot
   static constexpr std::uint32_t no_curve = static_cast<std::uint32_t>(-1);
 
   double distance = 0.;
-  double share = 0.;      // of the segment that lies before the foot
+  double share = 0.; // of the segment that lies before the foot
   std::uint32_t curve = no_curve, segment = 0;
 
   bool is_valid() const { return curve != no_curve; }
@@ -58,16 +58,22 @@ template <class Visitor>
 void visit_feet(const Field_band& band, std::size_t curve, const std::vector<Vector>& polyline, double radius,
                 const Visitor& visitor)
 {
-  struct Segment { Vector from, direction; double per_square; };
+  struct Segment
+  {
+    Vector from, direction;
+    double per_square;
+  };
   static constexpr double longest_run = 4.;
   std::vector<std::size_t> ball;
   std::vector<Segment> run;
   std::size_t end = 0;
-  for (std::size_t begin = 0; begin + 1 < polyline.size(); begin = end) {
+  for (std::size_t begin = 0; begin + 1 < polyline.size(); begin = end)
+  {
     run.clear();
     double length = 0.;
     Vector low = polyline[begin], high = polyline[begin];
-    for (end = begin; end + 1 < polyline.size(); ++end) {
+    for (end = begin; end + 1 < polyline.size(); ++end)
+    {
       const Vector direction = polyline[end + 1] - polyline[end];
       const double square = direction.squaredNorm(), longer = length + std::sqrt(square);
       if (end > begin && longer > longest_run)
@@ -79,28 +85,33 @@ void visit_feet(const Field_band& band, std::size_t curve, const std::vector<Vec
     }
     // a single segment may be long
     const std::size_t pieces = 1 + static_cast<std::size_t>(length / (2. * longest_run));
-    for (std::size_t piece = 0; piece < pieces; ++piece) {
+    for (std::size_t piece = 0; piece < pieces; ++piece)
+    {
       const double first = double(piece) / double(pieces), last = double(piece + 1) / double(pieces);
-      const Vector center = pieces == 1 ? Vector(0.5 * (low + high))
-                                        : Vector(polyline[begin] + 0.5 * (first + last) * run[0].direction);
+      const Vector center =
+        pieces == 1 ? Vector(0.5 * (low + high)) : Vector(polyline[begin] + 0.5 * (first + last) * run[0].direction);
       const double half = pieces == 1 ? 0.5 * (high - low).norm() : 0.5 * length / double(pieces);
       band.search.query(center, radius + half + 1e-9, ball);
-      for (std::size_t i : ball) {
+      for (std::size_t i : ball)
+      {
         double best = radius * radius, share = 0.;
         std::size_t nearest = run.size();
-        for (std::size_t k = 0; k < run.size(); ++k) {
+        for (std::size_t k = 0; k < run.size(); ++k)
+        {
           const Vector offset = band.points[i] - run[k].from;
           const double s = (std::min)(last, (std::max)(first, offset.dot(run[k].direction) * run[k].per_square));
           const double square = (offset - s * run[k].direction).squaredNorm();
-          if (square < best) {
+          if (square < best)
+          {
             best = square;
             share = s;
             nearest = k;
           }
         }
         if (nearest < run.size())
-          visitor(i, Polyline_foot{std::sqrt(best), share, static_cast<std::uint32_t>(curve),
-                                   static_cast<std::uint32_t>(begin + nearest)});
+          visitor(i,
+                  Polyline_foot{std::sqrt(best), share, static_cast<std::uint32_t>(curve),
+                                static_cast<std::uint32_t>(begin + nearest)});
       }
     }
   }
@@ -113,30 +124,32 @@ inline std::vector<Polyline_foot> nearest_feet(const Field_band& band,
 {
   std::vector<Polyline_foot> feet(band.size());
   std::mutex mutex;
-  for_each_piece(polylines.size(), [&](std::size_t begin, std::size_t end) {
-    std::vector<std::pair<std::size_t, Polyline_foot> > found;
-    for (std::size_t c = begin; c < end; ++c)
-      if (polylines[c])
-        visit_feet(band, c, *polylines[c], radius,
-                   [&](std::size_t i, const Polyline_foot& foot) { found.emplace_back(i, foot); });
-    const std::lock_guard<std::mutex> lock(mutex);
-    for (const auto& entry : found) {
-      Polyline_foot& foot = feet[entry.first];
-      if (!foot.is_valid() || std::tie(entry.second.distance, entry.second.curve) < std::tie(foot.distance, foot.curve))
-        foot = entry.second;
-    }
-  }, 1);
+  for_each_piece(
+    polylines.size(),
+    [&](std::size_t begin, std::size_t end) {
+      std::vector<std::pair<std::size_t, Polyline_foot>> found;
+      for (std::size_t c = begin; c < end; ++c)
+        if (polylines[c])
+          visit_feet(band, c, *polylines[c], radius,
+                     [&](std::size_t i, const Polyline_foot& foot) { found.emplace_back(i, foot); });
+      const std::lock_guard<std::mutex> lock(mutex);
+      for (const auto& entry : found)
+      {
+        Polyline_foot& foot = feet[entry.first];
+        if (!foot.is_valid()
+            || std::tie(entry.second.distance, entry.second.curve) < std::tie(foot.distance, foot.curve))
+          foot = entry.second;
+      }
+    },
+    1);
   return feet;
 }
 
 // Whether a foot is an end of the polyline. Where that is open, points beyond it have their feet there, which say
 // nothing of where the curve runs, and other curves may meet.
-inline bool is_at_end(double arc_length, double length)
-{
-  return arc_length < 1e-6 || arc_length > length - 1e-6;
-}
+inline bool is_at_end(double arc_length, double length) { return arc_length < 1e-6 || arc_length > length - 1e-6; }
 
-inline std::vector<const std::vector<Vector>*> pointers_to(const std::vector<std::vector<Vector> >& polylines)
+inline std::vector<const std::vector<Vector>*> pointers_to(const std::vector<std::vector<Vector>>& polylines)
 {
   std::vector<const std::vector<Vector>*> result;
   for (const std::vector<Vector>& polyline : polylines)

@@ -23,14 +23,15 @@ namespace internal {
 struct Cauchy_factor
 {
   double value = 1.;
-  double derivative = 0.;     // by the square of the residual
+  double derivative = 0.; // by the square of the residual
 
   Cauchy_factor() {}
 
   Cauchy_factor(double square, double squared_scale)
   {
     const double q = square / squared_scale;
-    if (q < 1e-6) {
+    if (q < 1e-6)
+    {
       value = 1. - 0.25 * q;
       derivative = -0.25 / squared_scale;
       return;

@@ -34,25 +34,25 @@ namespace internal {
 class Cubic_spline
 {
   bool m_is_periodic = false;
-  std::vector<double> m_breaks;     // strictly increasing
-  std::vector<double> m_knots;      // periodic: the breakpoints go on beyond both ends
+  std::vector<double> m_breaks; // strictly increasing
+  std::vector<double> m_knots;  // periodic: the breakpoints go on beyond both ends
   std::vector<Vector> m_points;
 
 public:
   struct Basis
   {
     std::array<std::size_t, 4> controls;
-    std::array<double, 12> values;    // of the basis functions, then of their first and second derivatives
+    std::array<double, 12> values; // of the basis functions, then of their first and second derivatives
   };
 
   Cubic_spline() {}
 
   // A periodic spline needs at least four spans, so that the four control points of a span differ.
-  Cubic_spline(std::vector<double> breaks, bool is_periodic)
-    : m_is_periodic(is_periodic), m_breaks(std::move(breaks))
+  Cubic_spline(std::vector<double> breaks, bool is_periodic) : m_is_periodic(is_periodic), m_breaks(std::move(breaks))
   {
     const std::size_t spans = m_breaks.size() - 1;
-    if (!m_is_periodic) {
+    if (!m_is_periodic)
+    {
       m_knots.assign(3, m_breaks.front());
       m_knots.insert(m_knots.end(), m_breaks.begin(), m_breaks.end());
       m_knots.insert(m_knots.end(), 3, m_breaks.back());
@@ -77,7 +77,8 @@ public:
 
   double bring_into_range(double u) const
   {
-    if (m_is_periodic) {
+    if (m_is_periodic)
+    {
       const double period = back() - front();
       u -= period * std::floor((u - front()) / period);
     }
@@ -117,11 +118,12 @@ public:
     Basis b = basis(u);
     Vector offset = combine(b) - p;
     double best = u, best_distance = offset.squaredNorm();
-    for (int k = 0; k < 5; ++k) {
+    for (int k = 0; k < 5; ++k)
+    {
       const Vector d1 = combine(b, 1), d2 = combine(b, 2);
       double slope = d1.squaredNorm() + offset.dot(d2);
       if (!(slope > 0.3 * d1.squaredNorm()))
-        slope = d1.squaredNorm();   // Gauss-Newton near centers of curvature
+        slope = d1.squaredNorm(); // Gauss-Newton near centers of curvature
       if (!(slope > 0.))
         break;
       const double next = bring_into_range(u - offset.dot(d1) / slope);
@@ -129,7 +131,8 @@ public:
         break;
       b = basis(next);
       offset = combine(b) - p;
-      if (offset.squaredNorm() < best_distance) {
+      if (offset.squaredNorm() < best_distance)
+      {
         best = next;
         best_distance = offset.squaredNorm();
       }
@@ -142,10 +145,11 @@ public:
   void interpolate(const std::vector<double>& parameters, const std::vector<Vector>& positions)
   {
     const std::size_t n = m_points.size();
-    std::vector<Eigen::Triplet<double> > entries;
+    std::vector<Eigen::Triplet<double>> entries;
     Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(n, 3);
     const auto add = [&](const Basis& b, double weight, const Vector& p) {
-      for (std::size_t j = 0; j < 4; ++j) {
+      for (std::size_t j = 0; j < 4; ++j)
+      {
         right.row(b.controls[j]) += weight * b.values[j] * p.transpose();
         for (std::size_t k = 0; k < 4; ++k)
           entries.emplace_back(b.controls[j], b.controls[k], weight * b.values[j] * b.values[k]);
@@ -153,13 +157,15 @@ public:
     };
     for (std::size_t i = 0; i < parameters.size(); ++i)
       add(basis(parameters[i]), 1., positions[i]);
-    if (!m_is_periodic) {
+    if (!m_is_periodic)
+    {
       add(basis(front()), 1e6, positions.front());
       add(basis(back()), 1e6, positions.back());
     }
     // a control polygon without bends where there is no data
     const double smooth = 1e-6;
-    for (std::size_t i = 0; i + 2 < n; ++i) {
+    for (std::size_t i = 0; i + 2 < n; ++i)
+    {
       const double c[3] = {1., -2., 1.};
       for (int j = 0; j < 3; ++j)
         for (int k = 0; k < 3; ++k)
@@ -169,11 +175,12 @@ public:
       entries.emplace_back(i, i, 1e-12);
     Eigen::SparseMatrix<double> matrix(n, n);
     matrix.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > solver(matrix);
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
     const Eigen::MatrixX3d solution = solver.solve(right);
     for (std::size_t i = 0; i < n; ++i)
       m_points[i] = solution.row(i).transpose();
-    if (!m_is_periodic) {
+    if (!m_is_periodic)
+    {
       m_points.front() = positions.front();
       m_points.back() = positions.back();
     }
@@ -186,7 +193,8 @@ public:
     data.degree = 3;
     data.knots = m_knots;
     const std::size_t count = m_knots.size() - 4;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < count; ++i)
+    {
       const Vector& p = m_points[i % m_points.size()];
       data.points.push_back(Spline_vector{p.x(), p.y(), p.z()});
     }

@@ -40,8 +40,8 @@ namespace internal {
 // A path of the topological graph that becomes a spline.
 struct Fitted_curve
 {
-  std::vector<Vector> path;                  // closed: the first point again at the end
-  std::array<std::size_t, 2> vertices;       // of the network, or `no_vertex` on a closed curve without
+  std::vector<Vector> path;            // closed: the first point again at the end
+  std::array<std::size_t, 2> vertices; // of the network, or `no_vertex` on a closed curve without
   Cubic_spline spline;
   double root_mean_square = 0., maximum_deviation = 0.;
   std::size_t support = 0;
@@ -55,7 +55,11 @@ struct Fitted_curve
 // Fits the splines of all curves at once; the curves that meet in a vertex share it.
 class Spline_network_fit
 {
-  struct Support { std::size_t point, curve; double parameter; };
+  struct Support
+  {
+    std::size_t point, curve;
+    double parameter;
+  };
 
   class Stop_on_cancel : public ceres::IterationCallback
   {
@@ -102,7 +106,8 @@ public:
       initialize(curve);
     const int rounds = (std::max)(1, m_options.number_of_rounds);
     bool is_complete = true;
-    for (int round = 0; round < rounds && is_complete; ++round) {
+    for (int round = 0; round < rounds && is_complete; ++round)
+    {
       find_support();
       if (round > 0 && m_options.adapt_knots)
         add_knots();
@@ -118,12 +123,13 @@ public:
 
 private:
   // positions along the path at steps of half a sampling distance, or finer where it is short
-  static void resample(const std::vector<Vector>& path, const std::vector<double>& s,
-                       std::vector<double>& parameters, std::vector<Vector>& positions)
+  static void resample(const std::vector<Vector>& path, const std::vector<double>& s, std::vector<double>& parameters,
+                       std::vector<Vector>& positions)
   {
     const std::size_t count = (std::max)(std::size_t(16), static_cast<std::size_t>(std::ceil(2. * s.back())));
     Polyline_walk walk(path, s);
-    for (std::size_t j = 0; j <= count; ++j) {
+    for (std::size_t j = 0; j <= count; ++j)
+    {
       parameters.push_back(s.back() * double(j) / double(count));
       positions.push_back(walk.advance_to(parameters.back()));
     }
@@ -132,7 +138,8 @@ private:
   static std::vector<double> bisect(const std::vector<double>& breaks, const std::vector<char>& is_bad)
   {
     std::vector<double> finer{breaks.front()};
-    for (std::size_t k = 1; k < breaks.size(); ++k) {
+    for (std::size_t k = 1; k < breaks.size(); ++k)
+    {
       if (is_bad[k - 1])
         finer.push_back(0.5 * (breaks[k - 1] + breaks[k]));
       finer.push_back(breaks[k]);
@@ -157,16 +164,18 @@ private:
     std::vector<Vector> positions;
     resample(curve.path, s, parameters, positions);
     const bool is_periodic = curve.is_closed_without_vertex();
-    std::vector<double> breaks = m_options.adapt_knots || s.size() <= curve.least_spans()
-      ? uniform_breaks(s.back(), curve.least_spans()) : s;
+    std::vector<double> breaks =
+      m_options.adapt_knots || s.size() <= curve.least_spans() ? uniform_breaks(s.back(), curve.least_spans()) : s;
     const double tolerance = 0.1 + 2. * m_noise;
-    while (true) {
+    while (true)
+    {
       curve.spline = Cubic_spline(breaks, is_periodic);
       curve.spline.interpolate(parameters, positions);
       if (!m_options.adapt_knots)
         return;
       std::vector<double> worst(breaks.size() - 1, 0.);
-      for (std::size_t i = 0; i < parameters.size(); ++i) {
+      for (std::size_t i = 0; i < parameters.size(); ++i)
+      {
         double& w = worst[curve.spline.span(parameters[i])];
         w = (std::max)(w, (curve.spline.at(parameters[i]) - positions[i]).norm());
       }
@@ -182,25 +191,28 @@ private:
   // the points that lie near the curves, each with the nearest curve and its foot there
   void find_support()
   {
-    std::vector<std::vector<Vector> > polylines(m_curves.size());
-    std::vector<std::vector<double> > parameters(m_curves.size());
-    for (std::size_t c = 0; c < m_curves.size(); ++c) {
+    std::vector<std::vector<Vector>> polylines(m_curves.size());
+    std::vector<std::vector<double>> parameters(m_curves.size());
+    for (std::size_t c = 0; c < m_curves.size(); ++c)
+    {
       const Cubic_spline& spline = m_curves[c].spline;
       const double length = spline.back() - spline.front();
       const std::size_t count = (std::max)(std::size_t(8), static_cast<std::size_t>(2. * length));
-      for (std::size_t k = 0; k <= count; ++k) {
+      for (std::size_t k = 0; k <= count; ++k)
+      {
         parameters[c].push_back(spline.front() + length * double(k) / double(count));
         polylines[c].push_back(spline.at(parameters[c].back()));
       }
     }
-    const std::vector<Polyline_foot> feet
-      = nearest_feet(m_band, pointers_to(polylines), m_options.support_distance + 1.);
+    const std::vector<Polyline_foot> feet =
+      nearest_feet(m_band, pointers_to(polylines), m_options.support_distance + 1.);
     m_support.clear();
     for (std::size_t i = 0; i < m_band.size(); ++i)
       if (feet[i].is_valid())
         m_support.push_back({i, feet[i].curve, 0.});
     for_each_piece(m_support.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) {
+      for (std::size_t k = begin; k < end; ++k)
+      {
         Support& s = m_support[k];
         const Polyline_foot& foot = feet[s.point];
         s.parameter = m_curves[s.curve].spline.foot(m_band.points[s.point], foot.interpolate(parameters[s.curve]));
@@ -218,13 +230,15 @@ private:
   // bisects spans whose residuals are clearly above those of the others
   void add_knots()
   {
-    std::vector<std::vector<double> > squares(m_curves.size());
-    std::vector<std::vector<std::size_t> > counts(m_curves.size());
-    for (std::size_t c = 0; c < m_curves.size(); ++c) {
+    std::vector<std::vector<double>> squares(m_curves.size());
+    std::vector<std::vector<std::size_t>> counts(m_curves.size());
+    for (std::size_t c = 0; c < m_curves.size(); ++c)
+    {
       squares[c].assign(m_curves[c].spline.breaks().size() - 1, 0.);
       counts[c].assign(squares[c].size(), 0);
     }
-    for (const Support& s : m_support) {
+    for (const Support& s : m_support)
+    {
       const double e = residual(s);
       if (std::abs(e) > cutoff() || m_band.distances[s.point] > 2.)
         continue;
@@ -238,7 +252,8 @@ private:
         if (counts[c][k] >= 8)
           levels.push_back(std::sqrt(squares[c][k] / double(counts[c][k])));
     const double limit = 0.02 + 1.25 * (std::min)(median(levels), 1.5 * m_noise + 0.02);
-    for (std::size_t c = 0; c < m_curves.size(); ++c) {
+    for (std::size_t c = 0; c < m_curves.size(); ++c)
+    {
       const Cubic_spline& spline = m_curves[c].spline;
       const std::vector<double>& breaks = spline.breaks();
       std::vector<char> is_bad(squares[c].size(), 0);
@@ -256,7 +271,8 @@ private:
     std::vector<double> parameters;
     std::vector<Vector> positions;
     for (std::size_t k = 1; k < breaks.size(); ++k)
-      for (int j = 0; j < 6; ++j) {
+      for (int j = 0; j < 6; ++j)
+      {
         parameters.push_back(breaks[k - 1] + (breaks[k] - breaks[k - 1]) * j / 6.);
         positions.push_back(curve.spline.at(parameters.back()));
       }
@@ -270,7 +286,8 @@ private:
   // the ends of a clamped spline are vertices, the other control points its own
   double* control(Fitted_curve& curve, std::size_t i)
   {
-    if (!curve.is_closed_without_vertex()) {
+    if (!curve.is_closed_without_vertex())
+    {
       if (i == 0)
         return m_vertices[curve.vertices[0]].data();
       if (i + 1 == curve.spline.points().size())
@@ -288,8 +305,8 @@ private:
   // Curves that share no vertex do not know of each other: their problems are solved apart, at the same time.
   bool solve(double scale, const std::function<bool(double)>& proceed, double share)
   {
-    const std::vector<std::vector<std::size_t> > parts = connected_curves();
-    std::vector<std::vector<std::size_t> > supports(parts.size());
+    const std::vector<std::vector<std::size_t>> parts = connected_curves();
+    std::vector<std::vector<std::size_t>> supports(parts.size());
     std::vector<std::size_t> part_of_curve(m_curves.size());
     for (std::size_t part = 0; part < parts.size(); ++part)
       for (std::size_t c : parts[part])
@@ -302,15 +319,18 @@ private:
       const std::lock_guard<std::mutex> lock(mutex);
       return goes_on = goes_on && proceed(done);
     };
-    for_each_piece(parts.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t part = begin; part < end; ++part)
-        solve(parts[part], supports[part], scale, ask, share);
-    }, 1);
+    for_each_piece(
+      parts.size(),
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t part = begin; part < end; ++part)
+          solve(parts[part], supports[part], scale, ask, share);
+      },
+      1);
     return goes_on;
   }
 
   // the parts of the network, each by its curves
-  std::vector<std::vector<std::size_t> > connected_curves() const
+  std::vector<std::vector<std::size_t>> connected_curves() const
   {
     std::vector<std::size_t> rank(m_vertices.size()), parent(m_vertices.size());
     boost::disjoint_sets<std::size_t*, std::size_t*> sets(rank.data(), parent.data());
@@ -319,11 +339,13 @@ private:
     for (const Fitted_curve& curve : m_curves)
       if (!curve.is_closed_without_vertex())
         sets.union_set(curve.vertices[0], curve.vertices[1]);
-    std::vector<std::vector<std::size_t> > parts;
+    std::vector<std::vector<std::size_t>> parts;
     std::vector<std::size_t> part_of_set(m_vertices.size(), Fitted_curve::no_vertex);
-    for (std::size_t c = 0; c < m_curves.size(); ++c) {
+    for (std::size_t c = 0; c < m_curves.size(); ++c)
+    {
       std::size_t part = parts.size();
-      if (!m_curves[c].is_closed_without_vertex()) {
+      if (!m_curves[c].is_closed_without_vertex())
+      {
         std::size_t& known = part_of_set[sets.find_set(m_curves[c].vertices[0])];
         if (known == Fitted_curve::no_vertex)
           known = part;
@@ -360,7 +382,8 @@ private:
     for (std::size_t c : curves)
       add_roughness(problem, m_curves[c]);
     const std::vector<std::size_t> vertices = vertices_of(curves);
-    for (std::size_t v : vertices) {
+    for (std::size_t v : vertices)
+    {
       problem.AddResidualBlock(new Anchor_residual(m_anchors[v], m_degrees[v] == 1 ? 0.5 : 0.02), nullptr,
                                m_vertices[v].data());
       if (!m_options.move_corners)
@@ -369,7 +392,7 @@ private:
     if (problem.NumResidualBlocks() == 0)
       return;
     std::vector<Vector> kept_vertices;
-    std::vector<std::vector<Vector> > kept_points;
+    std::vector<std::vector<Vector>> kept_points;
     for (std::size_t v : vertices)
       kept_vertices.push_back(m_vertices[v]);
     for (std::size_t c : curves)
@@ -392,8 +415,9 @@ private:
   void add_distances(ceres::Problem& problem, const std::vector<std::size_t>& support, double scale,
                      Span_preparer& spans)
   {
-    std::map<std::pair<std::size_t, std::size_t>, Span_residual*> residuals;     // by curve and span
-    for (std::size_t i : support) {
+    std::map<std::pair<std::size_t, std::size_t>, Span_residual*> residuals; // by curve and span
+    for (std::size_t i : support)
+    {
       const Support& s = m_support[i];
       const Cubic_spline& spline = m_curves[s.curve].spline;
       Span_residual*& residual = residuals[{s.curve, spline.span(s.parameter)}];
@@ -404,7 +428,8 @@ private:
       const double weight = m_options.use_robust_loss ? worth / std::sqrt(1. + 0.5 * d * d) : 1.;
       residual->add(m_band.points[s.point], d, weight, spline.basis(s.parameter).values.data());
     }
-    for (const auto& entry : residuals) {
+    for (const auto& entry : residuals)
+    {
       Fitted_curve& curve = m_curves[entry.first.first];
       const std::vector<double>& breaks = curve.spline.breaks();
       const std::size_t span = entry.first.second;
@@ -438,7 +463,8 @@ private:
       is_kept = is_kept && !is_stray(points[i], before[i]);
     if (!is_kept)
       points = before;
-    if (!curve.is_closed_without_vertex()) {
+    if (!curve.is_closed_without_vertex())
+    {
       points.front() = m_vertices[curve.vertices[0]];
       points.back() = m_vertices[curve.vertices[1]];
     }
@@ -451,7 +477,8 @@ private:
     const double roughness = m_options.adapt_knots ? 0.05 + 30. * m_noise : 0.05;
     const std::vector<double>& breaks = curve.spline.breaks();
     const std::vector<Vector> curvatures = span_curvatures(curve.spline);
-    for (std::size_t k = 1; k < breaks.size(); ++k) {
+    for (std::size_t k = 1; k < breaks.size(); ++k)
+    {
       const double width = breaks[k] - breaks[k - 1];
       const Vector curvature = typical_curvature(curve.spline, curvatures, k - 1);
       const Cubic_spline::Basis first = curve.spline.basis(breaks[k - 1] + 0.25 * width),
@@ -472,7 +499,8 @@ private:
   static std::vector<Vector> span_curvatures(const Cubic_spline& spline)
   {
     std::vector<Vector> result;
-    for (std::size_t k = 1; k < spline.breaks().size(); ++k) {
+    for (std::size_t k = 1; k < spline.breaks().size(); ++k)
+    {
       const Cubic_spline::Basis middle = spline.basis(0.5 * (spline.breaks()[k - 1] + spline.breaks()[k]));
       const Vector d1 = spline.combine(middle, 1), d2 = spline.combine(middle, 2);
       result.push_back(d1.cross(d2) / (std::max)(0.1, std::pow(d1.norm(), 3)));
@@ -490,9 +518,11 @@ private:
     const auto middle = [&](std::size_t k) { return 0.5 * (breaks[k] + breaks[k + 1]); };
     double total = breaks[span + 1] - breaks[span];
     Vector sum = total * curvatures[span];
-    for (const bool is_forward : {false, true}) {
+    for (const bool is_forward : {false, true})
+    {
       const std::size_t most = spline.is_periodic() ? (n - 1) / 2 : is_forward ? n - 1 - span : span;
-      for (std::size_t step = 1; step <= most; ++step) {
+      for (std::size_t step = 1; step <= most; ++step)
+      {
         const std::size_t k = (is_forward ? span + step : span + n - step) % n;
         double distance = is_forward ? middle(k) - middle(span) : middle(span) - middle(k);
         if (distance < 0.)
@@ -509,7 +539,8 @@ private:
   void measure()
   {
     std::vector<double> squares(m_curves.size(), 0.);
-    for (const Support& s : m_support) {
+    for (const Support& s : m_support)
+    {
       const double e = std::abs(residual(s));
       if (e > cutoff())
         continue;

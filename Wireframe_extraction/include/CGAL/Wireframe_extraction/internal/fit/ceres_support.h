@@ -35,7 +35,7 @@ inline ceres::Solver::Options solver_options(int most_iterations, double functio
   options.jacobi_scaling = false;
   options.min_lm_diagonal = options.max_lm_diagonal = 1.;
   options.logging_type = ceres::SILENT;
-  options.num_threads = 1;    // sums over threads would depend on their number
+  options.num_threads = 1; // sums over threads would depend on their number
   return options;
 }
 

@@ -58,7 +58,7 @@ class Span_residual : public ceres::CostFunction
   double m_scale;
   std::array<const double*, 4> m_controls{};
   std::array<double, size + 1> m_residuals{};
-  Matrix m_jacobian = Matrix::Zero();       // the last residual has none
+  Matrix m_jacobian = Matrix::Zero(); // the last residual has none
 
 public:
   // `scale` is that of Cauchy's loss, or 0 for plain squares
@@ -83,7 +83,8 @@ public:
   {
     double squares = 0.;
     Normal_sums sums;
-    for (const Sample& sample : m_samples) {
+    for (const Sample& sample : m_samples)
+    {
       Vector offset = sample.point;
       for (int j = 0; j < 4; ++j)
         offset -= sample.basis[j] * Eigen::Map<const Vector>(m_controls[j]);
@@ -91,7 +92,8 @@ public:
       const Cauchy_factor factor = m_scale > 0. ? Cauchy_factor(e * e, m_scale * m_scale) : Cauchy_factor();
       const double residual = factor.value * e;
       squares += residual * residual;
-      if (with_jacobian && distance > 1e-12) {
+      if (with_jacobian && distance > 1e-12)
+      {
         const double by_distance = sample.weight * (factor.value + 2. * factor.derivative * e * e);
         sums.add(sample.basis, offset * (by_distance / distance), residual);
       }
@@ -105,10 +107,11 @@ public:
   bool Evaluate(double const* const*, double* residuals, double** jacobians) const override
   {
     std::copy(m_residuals.begin(), m_residuals.end(), residuals);
-    for (int j = 0; jacobians && j < 4; ++j) {
+    for (int j = 0; jacobians && j < 4; ++j)
+    {
       if (!jacobians[j])
         continue;
-      Eigen::Map<Eigen::Matrix<double, size + 1, 3, Eigen::RowMajor> > jacobian(jacobians[j]);
+      Eigen::Map<Eigen::Matrix<double, size + 1, 3, Eigen::RowMajor>> jacobian(jacobians[j]);
       jacobian << m_jacobian.middleCols<3>(3 * j), Eigen::RowVector3d::Zero();
     }
     return true;
@@ -118,7 +121,7 @@ private:
   // for the normal equations: every derivative is a basis function times a direction
   struct Normal_sums
   {
-    double blocks[10][6] = {};      // of pairs of control points
+    double blocks[10][6] = {}; // of pairs of control points
     double right[4][3] = {};
 
     void add(const std::array<double, 4>& basis, const Vector& direction, double residual)
@@ -162,7 +165,8 @@ private:
     Column reduced = cholesky.transpositionsP() * column;
     cholesky.matrixL().solveInPlace(reduced);
     double square = 0.;
-    for (int i = 0; i < size; ++i) {
+    for (int i = 0; i < size; ++i)
+    {
       // what the points say nothing of has no derivative either
       const double root = pivots[i] > least ? std::sqrt(pivots[i]) : 0.;
       m_residuals[i] = root > 0. ? reduced[i] / root : 0.;
@@ -183,10 +187,13 @@ public:
 
   void PrepareForEvaluation(bool evaluate_jacobians, bool) override
   {
-    for_each_piece(m_spans.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k)
-        m_spans[k]->prepare(evaluate_jacobians);
-    }, 4);
+    for_each_piece(
+      m_spans.size(),
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+          m_spans[k]->prepare(evaluate_jacobians);
+      },
+      4);
   }
 };
 
@@ -200,7 +207,8 @@ public:
 
   bool Evaluate(double const* const* controls, double* residuals, double** jacobians) const override
   {
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k)
+    {
       residuals[k] = 0.;
       for (int j = 0; j < 4; ++j)
         residuals[k] += m_factors[j] * controls[j][k];

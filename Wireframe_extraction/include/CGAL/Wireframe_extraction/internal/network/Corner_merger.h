@@ -47,7 +47,8 @@ public:
   {
     std::vector<Cluster> clusters;
     std::vector<Vector> positions;
-    for (const std::vector<Curve_end>& ends : m_network.incidences()) {
+    for (const std::vector<Curve_end>& ends : m_network.incidences())
+    {
       if (ends.empty())
         continue;
       Cluster cluster{belief(ends[0]), ends, 1, true};
@@ -57,24 +58,26 @@ public:
       clusters.push_back(cluster);
     }
     typedef std::tuple<double, std::size_t, std::size_t> Candidate;
-    std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate> > queue;
+    std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> queue;
     const auto propose = [&](std::size_t a, std::size_t b) {
       if (!may_meet(clusters[a], clusters[b]))
         return;
-      const double cost = (clusters[a].belief * clusters[b].belief).disagreement()
-        - clusters[a].belief.disagreement() - clusters[b].belief.disagreement();
+      const double cost = (clusters[a].belief * clusters[b].belief).disagreement() - clusters[a].belief.disagreement()
+        - clusters[b].belief.disagreement();
       if (cost < m_options.maximum_disagreement)
         queue.emplace(cost, a, b);
     };
     const Ball_search search(positions);
     std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < positions.size(); ++i) {
+    for (std::size_t i = 0; i < positions.size(); ++i)
+    {
       search.query(positions[i], m_options.reach, found);
       for (std::size_t j : found)
         if (i < j)
           propose(i, j);
     }
-    while (!queue.empty()) {
+    while (!queue.empty())
+    {
       const std::size_t a = std::get<1>(queue.top()), b = std::get<2>(queue.top());
       queue.pop();
       if (!clusters[a].is_alive || !clusters[b].is_alive)
@@ -90,7 +93,8 @@ public:
         if (clusters[k].is_alive && (clusters[k].belief.mean() - mean).norm() < m_options.reach)
           propose(k, clusters.size() - 1);
     }
-    for (const Cluster& cluster : clusters) {
+    for (const Cluster& cluster : clusters)
+    {
       if (!cluster.is_alive || cluster.number_of_nodes < 2)
         continue;
       const std::size_t node = m_network.nodes.size();
@@ -107,10 +111,15 @@ public:
     for (std::size_t c = 0; c < m_network.curves.size(); ++c)
       if (m_network.curves[c].is_alive)
         grid.add(c, m_network.curves[c].points);
-    struct Split { std::size_t node, curve; Segment_grid::Hit hit; };
+    struct Split
+    {
+      std::size_t node, curve;
+      Segment_grid::Hit hit;
+    };
     std::vector<Split> splits;
     const auto incidences = m_network.incidences();
-    for (std::size_t node = 0; node < incidences.size(); ++node) {
+    for (std::size_t node = 0; node < incidences.size(); ++node)
+    {
       if (incidences[node].empty())
         continue;
       Position_belief common;
@@ -120,14 +129,16 @@ public:
       std::vector<Segment_grid::Hit> best_of_curve;
       grid.visit(position, 3., [&](const Segment_grid::Hit& hit) {
         for (Segment_grid::Hit& other : best_of_curve)
-          if (other.curve == hit.curve) {
+          if (other.curve == hit.curve)
+          {
             if (hit.distance < other.distance)
               other = hit;
             return;
           }
         best_of_curve.push_back(hit);
       });
-      for (const Segment_grid::Hit& hit : best_of_curve) {
+      for (const Segment_grid::Hit& hit : best_of_curve)
+      {
         if (!is_inside(hit))
           continue;
         const Position_belief line = Position_belief::along_line(
@@ -141,7 +152,8 @@ public:
     std::sort(splits.begin(), splits.end(), [](const Split& a, const Split& b) {
       return std::make_tuple(a.curve, b.hit.segment, a.node) < std::make_tuple(b.curve, a.hit.segment, b.node);
     });
-    for (std::size_t k = 0; k < splits.size(); ++k) {
+    for (std::size_t k = 0; k < splits.size(); ++k)
+    {
       const std::size_t shift = split_curve(splits[k].curve, splits[k].hit, splits[k].node);
       for (std::size_t other = k + 1; other < splits.size() && splits[other].curve == splits[k].curve; ++other)
         splits[other].hit.segment += shift;
@@ -176,7 +188,8 @@ private:
     if (hit.segment + 1 >= points.size())
       return 0;
     const auto incidences = m_network.incidences();
-    if (incidences[node].size() == 1) {
+    if (incidences[node].size() == 1)
+    {
       m_network.nodes[node] = hit.point;
       attach(incidences[node].front(), node);
       points = network.curves[c].points;
@@ -184,7 +197,8 @@ private:
         return 0;
     }
     const Vector position = m_network.nodes[node];
-    if (network.curves[c].is_closed_without_node()) {
+    if (network.curves[c].is_closed_without_node())
+    {
       // a closed curve is opened at the node
       std::vector<Vector> opened{position};
       opened.insert(opened.end(), points.begin() + hit.segment + 1, points.end() - 1);

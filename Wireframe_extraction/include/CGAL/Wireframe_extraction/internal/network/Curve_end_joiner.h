@@ -52,7 +52,8 @@ public:
   template <class Loss>
   void round_off(const Loss& loss, double margin)
   {
-    for (const std::vector<Curve_end>& ends : m_network.incidences()) {
+    for (const std::vector<Curve_end>& ends : m_network.incidences())
+    {
       if (ends.size() != 2 || ends[0].first == ends[1].first)
         continue;
       Network_curve &first = m_network.curves[ends[0].first], &second = m_network.curves[ends[1].first];
@@ -62,7 +63,8 @@ public:
       double best = loss(corner, 4., {&first.points, &second.points})
         + (tip(ends[0]).tangent.dot(tip(ends[1]).tangent) < -std::cos(m_options.rounded_turn) ? margin : -margin);
       std::vector<Vector> rounded_first, rounded_second;
-      for (double reach : {0.7, 1.2, 1.8, 2.5, 3.5, 4.5}) {
+      for (double reach : {0.7, 1.2, 1.8, 2.5, 3.5, 4.5})
+      {
         const std::vector<Vector> a = cut_back(first.points, ends[0].second, reach),
                                   b = cut_back(second.points, ends[1].second, reach);
         if (a.size() < 2 || b.size() < 2)
@@ -70,7 +72,8 @@ public:
         std::vector<Vector> with_arc = a;
         append_arc(with_arc, end_direction(a), b.back(), -end_direction(b));
         const double rounded = loss(corner, 4., {&with_arc, &b});
-        if (rounded < best) {
+        if (rounded < best)
+        {
           best = rounded;
           rounded_first = with_arc;
           rounded_second = b;
@@ -78,7 +81,7 @@ public:
       }
       if (rounded_first.empty())
         continue;
-      rounded_first.push_back(corner);   // stands for the node until the two are one
+      rounded_first.push_back(corner); // stands for the node until the two are one
       rounded_second.push_back(corner);
       if (ends[0].second == 0)
         std::reverse(rounded_first.begin(), rounded_first.end());
@@ -99,26 +102,31 @@ public:
     std::vector<std::size_t> used;
     std::vector<Vector> positions;
     for (std::size_t node = 0; node < incidences.size(); ++node)
-      if (!incidences[node].empty()) {
+      if (!incidences[node].empty())
+      {
         used.push_back(node);
         positions.push_back(m_network.nodes[node]);
       }
     const Ball_search search(positions);
-    std::vector<std::tuple<double, std::size_t, std::size_t, std::vector<Vector> > > candidates;
+    std::vector<std::tuple<double, std::size_t, std::size_t, std::vector<Vector>>> candidates;
     std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < used.size(); ++i) {
+    for (std::size_t i = 0; i < used.size(); ++i)
+    {
       search.query(positions[i], longest, found);
-      for (std::size_t j : found) {
+      for (std::size_t j : found)
+      {
         if (i >= j || (positions[i] - positions[j]).norm() < 1.)
           continue;
-        const std::vector<Curve_end> &a = incidences[used[i]], &b = incidences[used[j]];
+        const std::vector<Curve_end>&a = incidences[used[i]], &b = incidences[used[j]];
         std::vector<Vector> polyline = straight(positions[i], positions[j]);
         double best = gain(polyline);
-        if (a.size() == 1 && b.size() == 1) {
+        if (a.size() == 1 && b.size() == 1)
+        {
           std::vector<Vector> arc{positions[i]};
           append_arc(arc, tip(a[0]).tangent, positions[j], -tip(b[0]).tangent);
           const double gain_of_arc = gain(arc);
-          if (gain_of_arc > best) {
+          if (gain_of_arc > best)
+          {
             best = gain_of_arc;
             polyline = arc;
           }
@@ -131,7 +139,8 @@ public:
       return std::tie(std::get<0>(a), std::get<1>(a), std::get<2>(a))
         < std::tie(std::get<0>(b), std::get<1>(b), std::get<2>(b));
     });
-    for (const auto& candidate : candidates) {
+    for (const auto& candidate : candidates)
+    {
       // what was added before may have taken the evidence
       if (!(gain(std::get<3>(candidate)) > 0.))
         continue;
@@ -158,7 +167,8 @@ public:
   template <class Is_on_crease>
   void trim_free_ends(const Is_on_crease& is_on_crease, double longest)
   {
-    for (const Curve_end& end : free_ends()) {
+    for (const Curve_end& end : free_ends())
+    {
       Network_curve& curve = m_network.curves[end.first];
       if (!curve.is_alive)
         continue;
@@ -170,14 +180,16 @@ public:
       while (last > 0 && run < 3)
         run = is_on_crease(points[--last]) ? run + 1 : 0;
       last = (std::min)(points.size() - 1, last + 2);
-      if (run < 3) {
+      if (run < 3)
+      {
         curve.is_alive = polyline_length(curve.points) > longest;
         continue;
       }
       if (last + 1 == points.size())
         continue;
       points.resize(last + 1);
-      if (points.size() < 2 || polyline_length(points) < 3.) {
+      if (points.size() < 2 || polyline_length(points) < 3.)
+      {
         curve.is_alive = false;
         continue;
       }
@@ -194,15 +206,18 @@ public:
   void drop_spurs(double free_length, double dangling_length)
   {
     bool changed = true;
-    while (changed) {
+    while (changed)
+    {
       changed = false;
       const auto incidences = m_network.incidences();
-      for (Network_curve& curve : m_network.curves) {
+      for (Network_curve& curve : m_network.curves)
+      {
         if (!curve.is_alive || curve.is_closed_without_node())
           continue;
         const int free_ends = int(incidences[curve.nodes[0]].size() == 1) + int(incidences[curve.nodes[1]].size() == 1);
         const double length = polyline_length(curve.points);
-        if ((free_ends == 2 && length < free_length) || (free_ends == 1 && length < dangling_length)) {
+        if ((free_ends == 2 && length < free_length) || (free_ends == 1 && length < dangling_length))
+        {
           curve.is_alive = false;
           changed = true;
         }
@@ -230,7 +245,8 @@ private:
     const double chord = (to - from).norm();
     const double handle = turn > 1e-3 ? (std::min)(1., 2. / 3. * std::tan(turn / 4.) / std::sin(turn / 2.)) : 1. / 3.;
     const Vector first = from + handle * chord * leave, second = to - handle * chord * arrive;
-    for (int k = 1; k <= 10; ++k) {
+    for (int k = 1; k <= 10; ++k)
+    {
       const double t = k / 10., u = 1. - t;
       points.push_back(u * u * u * from + 3. * u * u * t * first + 3. * u * t * t * second + t * t * t * to);
     }
@@ -243,35 +259,41 @@ private:
     std::vector<std::size_t> targets;
     std::vector<Vector> positions;
     for (std::size_t node = 0; node < incidences.size(); ++node)
-      if (incidences[node].size() > 1) {
+      if (incidences[node].size() > 1)
+      {
         targets.push_back(node);
         positions.push_back(m_network.nodes[node]);
       }
     const Ball_search search(positions);
     std::vector<std::size_t> found;
-    for (const std::vector<Curve_end>& ends : incidences) {
+    for (const std::vector<Curve_end>& ends : incidences)
+    {
       if (ends.size() != 1)
         continue;
       search.query(tip(ends[0]).point, 1.6 * m_options.reach, found);
       double nearest = (std::numeric_limits<double>::infinity)(), depth_of_nearest = 0.;
       std::size_t target = no_node;
-      for (double depth : depths) {
+      for (double depth : depths)
+      {
         if (target != no_node || !has_depth(ends[0], depth))
           break;
         const Local_curve end = inner_tip(ends[0], depth);
-        for (std::size_t k : found) {
+        for (std::size_t k : found)
+        {
           const Vector offset = positions[k] - end.point;
           const double ahead = offset.dot(end.tangent);
           const double miss = (offset - ahead * end.tangent).norm();
           if (ahead > -1. && miss < 2. * m_options.across() + 0.1 * std::abs(ahead) && ahead < nearest
-              && m_network.curves[ends[0].first].nodes[1 - ends[0].second] != targets[k]) {
+              && m_network.curves[ends[0].first].nodes[1 - ends[0].second] != targets[k])
+          {
             nearest = ahead;
             depth_of_nearest = depth;
             target = targets[k];
           }
         }
       }
-      if (target != no_node) {
+      if (target != no_node)
+      {
         shorten(ends[0], depth_of_nearest);
         attach(ends[0], target);
       }
@@ -281,10 +303,13 @@ private:
   // free ends that face each other
   void bridge_gaps()
   {
-    bridge(free_ends(), [](std::size_t, std::size_t) { return true; }, [this](const Bridging_arc& arc) {
-      return arc.turn <= 1.2 ? (std::max)({arc.mismatch, arc.turn / (0.35 + 0.06 * arc.gap),
-                                           arc.gap / m_options.maximum_bridge}) : 1.;
-    });
+    bridge(
+      free_ends(), [](std::size_t, std::size_t) { return true; },
+      [this](const Bridging_arc& arc) {
+        return arc.turn <= 1.2
+          ? (std::max)({arc.mismatch, arc.turn / (0.35 + 0.06 * arc.gap), arc.gap / m_options.maximum_bridge})
+          : 1.;
+      });
   }
 };
 

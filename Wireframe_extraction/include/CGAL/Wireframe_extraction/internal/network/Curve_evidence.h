@@ -56,12 +56,15 @@ class Curve_evidence
     {
       if (curve == c)
         first = (std::min)(first, distance);
-      else if (distance < first) {
+      else if (distance < first)
+      {
         second = first;
         other = curve;
         first = distance;
         curve = c;
-      } else if (distance < second) {
+      }
+      else if (distance < second)
+      {
         second = distance;
         other = c;
       }
@@ -72,15 +75,23 @@ class Curve_evidence
   void add_nearest(const std::vector<const std::vector<Vector>*>& polylines, std::size_t first, std::size_t beyond,
                    std::vector<Two_nearest>& nearest) const
   {
-    struct Found { std::uint32_t point; double distance; };
-    std::vector<std::vector<Found> > found(beyond - first);
-    for_each_piece(found.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k)
-        if (polylines[first + k])
-          visit_feet(m_band, first + k, *polylines[first + k], farthest, [&](std::size_t i, const Polyline_foot& foot) {
-            found[k].push_back({static_cast<std::uint32_t>(i), foot.distance});
-          });
-    }, 1);
+    struct Found
+    {
+      std::uint32_t point;
+      double distance;
+    };
+    std::vector<std::vector<Found>> found(beyond - first);
+    for_each_piece(
+      found.size(),
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+          if (polylines[first + k])
+            visit_feet(m_band, first + k, *polylines[first + k], farthest,
+                       [&](std::size_t i, const Polyline_foot& foot) {
+                         found[k].push_back({static_cast<std::uint32_t>(i), foot.distance});
+                       });
+      },
+      1);
     for (std::size_t k = 0; k < found.size(); ++k)
       for (const Found& foot : found[k])
         nearest[foot.point].add(static_cast<std::uint32_t>(first + k), foot.distance);
@@ -89,8 +100,8 @@ class Curve_evidence
 public:
   struct Scores
   {
-    std::vector<double> gains;                          // per curve
-    std::vector<std::vector<std::size_t> > neighbors;   // curves that would take over its points
+    std::vector<double> gains;                       // per curve
+    std::vector<std::vector<std::size_t>> neighbors; // curves that would take over its points
   };
 
   Curve_evidence(const Field_band& band, double noise, double least_tolerance = 0.2)
@@ -107,7 +118,8 @@ public:
     Scores result;
     result.gains.assign(polylines.size(), 0.);
     result.neighbors.resize(polylines.size());
-    for (std::size_t i = 0; i < m_band.size(); ++i) {
+    for (std::size_t i = 0; i < m_band.size(); ++i)
+    {
       const Two_nearest& of_point = nearest[i];
       if (of_point.curve == none)
         continue;
@@ -148,8 +160,7 @@ public:
     });
     double gain = 0.;
     for (const auto& point : nearest)
-      gain += loss(point.first, others[point.first])
-        - loss(point.first, (std::min)(others[point.first], point.second));
+      gain += loss(point.first, others[point.first]) - loss(point.first, (std::min)(others[point.first], point.second));
     return gain;
   }
 
@@ -157,7 +168,7 @@ public:
   double loss_around(const Vector& center, double radius,
                      const std::vector<const std::vector<Vector>*>& polylines) const
   {
-    std::vector<std::pair<Vector, Vector> > segments;     // that may matter
+    std::vector<std::pair<Vector, Vector>> segments; // that may matter
     for (const std::vector<Vector>* polyline : polylines)
       for (std::size_t k = 1; k < polyline->size(); ++k)
         if (squared_distance_to_segment(center, (*polyline)[k - 1], (*polyline)[k]) < CGAL::square(radius + farthest))
@@ -165,7 +176,8 @@ public:
     std::vector<std::size_t> ball;
     m_band.search.query(center, radius, ball);
     double sum = 0.;
-    for (std::size_t i : ball) {
+    for (std::size_t i : ball)
+    {
       double nearest = farthest * farthest;
       for (const auto& segment : segments)
         nearest = (std::min)(nearest, squared_distance_to_segment(m_band.points[i], segment.first, segment.second));
@@ -181,20 +193,23 @@ public:
     std::vector<char> keep(polylines.size());
     for (std::size_t c = 0; c < polylines.size(); ++c)
       keep[c] = polylines[c] != nullptr;
-    for (bool changed = true; changed; ) {
+    for (bool changed = true; changed;)
+    {
       changed = false;
       const Scores all = scores(polylines);
       std::vector<double> worth(polylines.size(), 0.);
       std::vector<std::size_t> order;
       for (std::size_t c = 0; c < polylines.size(); ++c)
-        if (keep[c]) {
+        if (keep[c])
+        {
           worth[c] = all.gains[c] - least_gain - least_gain_per_length * polyline_length(*polylines[c]);
           if (worth[c] < 0.)
             order.push_back(c);
         }
       std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return worth[a] < worth[b]; });
       std::vector<char> is_affected(polylines.size(), 0);
-      for (std::size_t c : order) {
+      for (std::size_t c : order)
+      {
         if (is_affected[c])
           continue;
         keep[c] = 0;

@@ -31,7 +31,7 @@ struct Network_curve
 {
   std::vector<Vector> points;
   std::array<std::size_t, 2> nodes = {no_node, no_node};
-  std::array<Local_curve, 2> tips;           // the outward course at the two ends
+  std::array<Local_curve, 2> tips; // the outward course at the two ends
   std::array<bool, 2> ends_in_void = {false, false};
   bool is_alive = true;
 
@@ -49,11 +49,13 @@ struct Curve_network
   // open curves get nodes of their own
   explicit Curve_network(const std::vector<Traced_curve>& traced_curves)
   {
-    for (const Traced_curve& traced : traced_curves) {
+    for (const Traced_curve& traced : traced_curves)
+    {
       Network_curve curve;
       curve.points = traced.points;
       if (!traced.is_closed)
-        for (int e = 0; e < 2; ++e) {
+        for (int e = 0; e < 2; ++e)
+        {
           curve.nodes[e] = nodes.size();
           nodes.push_back(e == 0 ? traced.points.front() : traced.points.back());
           curve.tips[e] = traced.tips[e];
@@ -73,9 +75,9 @@ struct Curve_network
   }
 
   // all (curve, end) pairs of the living curves, by node
-  std::vector<std::vector<std::pair<std::size_t, int> > > incidences() const
+  std::vector<std::vector<std::pair<std::size_t, int>>> incidences() const
   {
-    std::vector<std::vector<std::pair<std::size_t, int> > > result(nodes.size());
+    std::vector<std::vector<std::pair<std::size_t, int>>> result(nodes.size());
     for (std::size_t c = 0; c < curves.size(); ++c)
       if (curves[c].is_alive)
         for (int e = 0; e < 2; ++e)

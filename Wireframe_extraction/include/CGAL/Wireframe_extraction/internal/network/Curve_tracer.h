@@ -31,10 +31,10 @@ namespace internal {
 struct Traced_curve
 {
   std::vector<Vector> points;
-  bool is_closed = false;     // the last point is then the first one
-  Local_curve tips[2];        // at the first and at the last point
-  bool ends_in_void[2] = {false, false};  // no data beyond the tip, rather than data that speak against the curve
-  std::vector<double> residuals;          // of the local fits along the curve
+  bool is_closed = false;                // the last point is then the first one
+  Local_curve tips[2];                   // at the first and at the last point
+  bool ends_in_void[2] = {false, false}; // no data beyond the tip, rather than data that speak against the curve
+  std::vector<double> residuals;         // of the local fits along the curve
 
   // a low quantile, since other curves disturb the fits near the ends
   double typical_residual() const
@@ -52,7 +52,7 @@ struct Traced_curve
 
 struct Tracing_options
 {
-  double noise = 0.1;        // typical residual of the field near curves
+  double noise = 0.1; // typical residual of the field near curves
   double step = 0.5;
   double radius = 4.;        // of the balls the local fits use
   double maximum_gap = 3.;   // bridged without any evidence
@@ -68,9 +68,12 @@ struct Tracing_options
 inline bool runs_along(const Segment_grid& curves, const Local_curve& front, double reach,
                        std::size_t ignored = Segment_grid::no_curve)
 {
-  return curves.nearest(front.point, reach, [&](const Segment_grid::Hit& hit) {
-    return hit.curve != ignored && std::abs(hit.direction.dot(front.tangent)) > 0.85;
-  }).is_valid();
+  return curves
+    .nearest(front.point, reach,
+             [&](const Segment_grid::Hit& hit) {
+               return hit.curve != ignored && std::abs(hit.direction.dot(front.tangent)) > 0.85;
+             })
+    .is_valid();
 }
 
 // whether the next step of a front leads to where it started
@@ -86,7 +89,7 @@ inline bool has_returned(const Local_curve& start, const Local_curve& front, dou
 class Field_explanation
 {
   const Field_band& m_band;
-  std::vector<double> m_distances;      // of each point of the band to the curves so far
+  std::vector<double> m_distances; // of each point of the band to the curves so far
   mutable std::vector<std::size_t> m_ball;
 
 public:
@@ -103,12 +106,12 @@ public:
   void add(const Vector& a, const Vector& b)
   {
     const std::size_t pieces = 1 + static_cast<std::size_t>((b - a).norm() / 2.);
-    for (std::size_t k = 0; k < pieces; ++k) {
+    for (std::size_t k = 0; k < pieces; ++k)
+    {
       const Vector from = a + (b - a) * (double(k) / pieces), to = a + (b - a) * (double(k + 1) / pieces);
       m_band.search.query(0.5 * (from + to), 3.5 + 0.5 * (to - from).norm(), m_ball);
       for (std::size_t i : m_ball)
-        m_distances[i] = (std::min)(m_distances[i],
-                                    std::sqrt(squared_distance_to_segment(m_band.points[i], from, to)));
+        m_distances[i] = (std::min)(m_distances[i], std::sqrt(squared_distance_to_segment(m_band.points[i], from, to)));
     }
   }
 
@@ -127,15 +130,20 @@ class Curve_tracer
   const Field_band& m_band;
   Tracing_options m_options;
   Local_curve_fit m_fit;
-  const Field_explanation* m_explanation;   // by other curves
+  const Field_explanation* m_explanation; // by other curves
   std::vector<std::size_t> m_ball;
   Segment_grid m_traced;
   std::size_t m_number_of_traced = 0;
-  std::size_t m_extended = Segment_grid::no_curve;   // the curve that is being extended
+  std::size_t m_extended = Segment_grid::no_curve; // the curve that is being extended
 
-  static constexpr std::size_t trail = 10;   // points of the path that are no news to the front
+  static constexpr std::size_t trail = 10; // points of the path that are no news to the front
 
-  enum Evidence { SUPPORT, NOTHING, CONTRADICTION };
+  enum Evidence
+  {
+    SUPPORT,
+    NOTHING,
+    CONTRADICTION
+  };
 
 public:
   Curve_tracer(const Field_band& band, const Tracing_options& options, const Field_explanation* explanation = nullptr)
@@ -146,9 +154,10 @@ public:
   {
     Traced_curve curve;
     std::vector<Vector> forward;
-    Segment_grid own;    // what was traced already, but for the surroundings of the front
+    Segment_grid own; // what was traced already, but for the surroundings of the front
     curve.is_closed = follow(seed, own, forward, curve.residuals, curve.tips[1], curve.ends_in_void[1]);
-    if (curve.is_closed) {
+    if (curve.is_closed)
+    {
       curve.points.push_back(seed.point);
       curve.points.insert(curve.points.end(), forward.begin(), forward.end());
       curve.points.push_back(seed.point);
@@ -170,7 +179,8 @@ public:
   void extend(Traced_curve& curve, std::size_t index)
   {
     m_extended = index;
-    for (int e = 0; e < 2 && !curve.is_closed; ++e) {
+    for (int e = 0; e < 2 && !curve.is_closed; ++e)
+    {
       std::vector<Vector> points = curve.points;
       if (e == 0)
         std::reverse(points.begin(), points.end());
@@ -206,7 +216,8 @@ public:
   {
     m_band.search.query(front.point, 1.8, m_ball);
     double agreeing = 0., opposing = 0.;
-    for (std::size_t i : m_ball) {
+    for (std::size_t i : m_ball)
+    {
       const double s = front.parameter(m_band.points[i]);
       if (s < -0.4 || s > 0.8)
         continue;
@@ -217,8 +228,7 @@ public:
       const double tolerance = Tracing_options::tolerance(m_band.deviation(i, m_options.noise));
       const double e = m_band.distances[i] - distance;
       // a point that lies nearer to another curve says nothing about this one
-      if (e < 0. && m_explanation
-          && std::abs(m_band.distances[i] - m_explanation->distance(i)) < tolerance)
+      if (e < 0. && m_explanation && std::abs(m_band.distances[i] - m_explanation->distance(i)) < tolerance)
         continue;
       if (std::abs(e) < tolerance)
         agreeing += weight;
@@ -233,8 +243,8 @@ public:
 
 private:
   // returns whether the curve came back to where it began; otherwise the tip is set
-  bool follow(const Local_curve& start, Segment_grid& own, std::vector<Vector>& path,
-              std::vector<double>& residuals, Local_curve& tip, bool& ends_in_void)
+  bool follow(const Local_curve& start, Segment_grid& own, std::vector<Vector>& path, std::vector<double>& residuals,
+              Local_curve& tip, bool& ends_in_void)
   {
     Local_curve front = start;
     tip = front;
@@ -246,7 +256,8 @@ private:
     options.scale = m_options.fit_scale();
     options.iterations = 3;
     const std::size_t most = 10 + 4 * m_band.size();
-    while (path.size() < most) {
+    while (path.size() < most)
+    {
       const Local_curve predicted = front.ahead(m_options.step);
       Local_curve next = predicted;
       const double residual = refine_at_front(next, predicted.point, options);
@@ -255,15 +266,19 @@ private:
         next = predicted;
       length += (next.point - front.point).norm();
       front = next;
-      if (is_traced(front) || runs_along(own, front, 0.6 + m_options.noise)) {
-        if (++covered == 3) {
+      if (is_traced(front) || runs_along(own, front, 0.6 + m_options.noise))
+      {
+        if (++covered == 3)
+        {
           supported = (std::min)(supported, path.size() - (std::min)(path.size(), std::size_t(2)));
           break;
         }
-      } else
+      }
+      else
         covered = 0;
       const Evidence found = evidence(front);
-      if (found == CONTRADICTION) {
+      if (found == CONTRADICTION)
+      {
         doubt += m_options.step;
         if (doubt > m_options.maximum_doubt())
           break;
@@ -272,13 +287,17 @@ private:
       residuals.push_back(residual);
       if (path.size() > trail)
         own.add(0, {path[path.size() - trail - 1], path[path.size() - trail]});
-      if (found == SUPPORT) {
+      if (found == SUPPORT)
+      {
         tip = front;
         supported = path.size();
         gap = doubt = 0.;
-      } else if (found == NOTHING) {
+      }
+      else if (found == NOTHING)
+      {
         gap += m_options.step;
-        if (gap > m_options.maximum_gap) {
+        if (gap > m_options.maximum_gap)
+        {
           ends_in_void = true;
           break;
         }
@@ -299,7 +318,6 @@ private:
       curve.move_along_to(position);
     });
   }
-
 };
 
 } // namespace internal

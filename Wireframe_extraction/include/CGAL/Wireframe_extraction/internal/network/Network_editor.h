@@ -27,12 +27,12 @@ namespace internal {
 struct Joining_options
 {
   double noise = 0.1;
-  double reach = 5.;              // ends farther apart are not compared
+  double reach = 5.; // ends farther apart are not compared
   double maximum_disagreement = 12.;
-  double rounded_turn = 0.8;      // joints of two curves that turn by less are rather rounded than sharp
-  double smooth_turn = 0.35;      // joints of two curves that turn by less are no corners
+  double rounded_turn = 0.8; // joints of two curves that turn by less are rather rounded than sharp
+  double smooth_turn = 0.35; // joints of two curves that turn by less are no corners
 
-  double maximum_bridge = 18.;    // gap between ends that face each other
+  double maximum_bridge = 18.; // gap between ends that face each other
 
   double along() const { return 0.9 + 2. * noise; }
   double across() const { return 0.2 + 0.7 * noise; }
@@ -79,9 +79,14 @@ protected:
     std::size_t nearest = 0;
     const std::size_t first = curve.points.size() / 2;
     double best = (std::numeric_limits<double>::infinity)();
-    for (std::size_t i = first; i < curve.points.size(); ++i) {
+    for (std::size_t i = first; i < curve.points.size(); ++i)
+    {
       const double d = (curve.points[i] - target).squaredNorm();
-      if (d < best) { best = d; nearest = i; }
+      if (d < best)
+      {
+        best = d;
+        nearest = i;
+      }
     }
     // the last points before the node lie where several curves disturb each other
     while (nearest > first && nearest > 1 && (curve.points[nearest] - target).norm() < 0.75)
@@ -99,9 +104,14 @@ protected:
     const Vector& end = e == 0 ? p.front() : p.back();
     // the direction over about two sampling distances
     Vector inner = e == 0 ? p.back() : p.front();
-    for (std::size_t k = 1; k < p.size(); ++k) {
+    for (std::size_t k = 1; k < p.size(); ++k)
+    {
       const Vector& q = e == 0 ? p[k] : p[p.size() - 1 - k];
-      if ((q - end).norm() > 2.) { inner = q; break; }
+      if ((q - end).norm() > 2.)
+      {
+        inner = q;
+        break;
+      }
     }
     curve.tips[e].point = end;
     curve.tips[e].tangent = (end - inner).norm() > 0. ? (end - inner).normalized() : Vector(Vector::UnitX());
@@ -109,16 +119,22 @@ protected:
     curve.ends_in_void[e] = false;
   }
 
-  static void set_tips(Network_curve& curve) { set_tip(curve, 0); set_tip(curve, 1); }
+  static void set_tips(Network_curve& curve)
+  {
+    set_tip(curve, 0);
+    set_tip(curve, 1);
+  }
 
   // two curves that meet in a node where nothing else ends and that hardly turn there are one curve
   void dissolve_smooth_joints()
   {
-    for (bool changed = true; changed; ) {
+    for (bool changed = true; changed;)
+    {
       changed = false;
       const auto incidences = m_network.incidences();
-      std::vector<char> is_touched(m_network.curves.size(), 0);  // its incidences are out of date
-      for (const std::vector<Curve_end>& ends : incidences) {
+      std::vector<char> is_touched(m_network.curves.size(), 0); // its incidences are out of date
+      for (const std::vector<Curve_end>& ends : incidences)
+      {
         if (ends.size() != 2 || is_touched[ends[0].first] || is_touched[ends[1].first]
             || tip(ends[0]).tangent.dot(tip(ends[1]).tangent) > -std::cos(m_options.smooth_turn))
           continue;
@@ -137,10 +153,7 @@ protected:
       concatenate(a, b);
   }
 
-  static void close(Network_curve& curve)
-  {
-    curve.nodes = {no_node, no_node};
-  }
+  static void close(Network_curve& curve) { curve.nodes = {no_node, no_node}; }
 
   // appends the curve of `b` to that of `a`; the latter's other end keeps its place
   void concatenate(const Curve_end& a, const Curve_end& b)
@@ -174,18 +187,26 @@ protected:
     for (const Curve_end& end : ends)
       positions.push_back(tip(end).point);
     const Ball_search search(positions);
-    struct Bridge { double cost; std::size_t from, to; double depths[2]; };
+    struct Bridge
+    {
+      double cost;
+      std::size_t from, to;
+      double depths[2];
+    };
     std::vector<Bridge> bridges;
     std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < ends.size(); ++i) {
+    for (std::size_t i = 0; i < ends.size(); ++i)
+    {
       search.query(positions[i], m_options.maximum_bridge, found);
-      for (std::size_t j : found) {
+      for (std::size_t j : found)
+      {
         if (i >= j || !may_join(i, j))
           continue;
         // where the field is wrong, the last part of a curve may have gone astray: what lies deeper may lead on better
         Bridge best{1., i, j, {0., 0.}};
         for (double depth_i : depths)
-          for (double depth_j : depths) {
+          for (double depth_j : depths)
+          {
             const double cost = cost_of(bridging_arc(ends[i], depth_i, ends[j], depth_j)) + 0.05 * (depth_i + depth_j);
             if (cost < best.cost)
               best = {cost, i, j, {depth_i, depth_j}};
@@ -198,7 +219,8 @@ protected:
       return std::tie(a.cost, a.from, a.to) < std::tie(b.cost, b.from, b.to);
     });
     std::vector<char> is_taken(ends.size(), 0);
-    for (const Bridge& bridge : bridges) {
+    for (const Bridge& bridge : bridges)
+    {
       if (is_taken[bridge.from] || is_taken[bridge.to])
         continue;
       is_taken[bridge.from] = is_taken[bridge.to] = 1;
@@ -229,7 +251,8 @@ protected:
       result.tangent = end_direction(rest);
     else
       result.tangent = ((1. + extrapolation) * (rest.back() - inner.back()).normalized()
-                        - extrapolation * (inner.back() - innermost.back()).normalized()).normalized();
+                        - extrapolation * (inner.back() - innermost.back()).normalized())
+                         .normalized();
     return result;
   }
 
@@ -276,7 +299,7 @@ protected:
   {
     double gap = (std::numeric_limits<double>::infinity)();
     double turn = (std::numeric_limits<double>::infinity)();
-    double mismatch = (std::numeric_limits<double>::infinity)();   // of its direction there, below 1 where it is smooth
+    double mismatch = (std::numeric_limits<double>::infinity)(); // of its direction there, below 1 where it is smooth
   };
 
   Bridging_arc bridging_arc(const Curve_end& a, double depth_a, const Curve_end& b, double depth_b) const
@@ -290,7 +313,8 @@ protected:
     if (a.first == b.first && polyline_length(m_network.curves[a.first].points) < 8. + gap)
       return arc;
     arc.gap = gap;
-    if (!(gap > 0.)) {
+    if (!(gap > 0.))
+    {
       arc.turn = arc.mismatch = 0.;
       return arc;
     }

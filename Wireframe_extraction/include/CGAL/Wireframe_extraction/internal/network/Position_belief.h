@@ -28,8 +28,8 @@ namespace internal {
 struct Position_belief
 {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  Vector weighted = Vector::Zero();     // information * mean
-  double constant = 0.;                 // sum of mean^T information mean
+  Vector weighted = Vector::Zero(); // information * mean
+  double constant = 0.;             // sum of mean^T information mean
 
   static Position_belief along_line(const Vector& mean, const Vector& direction, double along, double across)
   {

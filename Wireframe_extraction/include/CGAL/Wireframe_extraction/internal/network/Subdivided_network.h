@@ -34,19 +34,22 @@ namespace internal {
 class Subdivided_network
 {
   typedef boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
-                                boost::property<boost::edge_weight_t, double> > Distance_graph;
+                                boost::property<boost::edge_weight_t, double>>
+    Distance_graph;
 
   const Field_band& m_band;
   const Extraction_options& m_options;
 
 public:
-  struct Corner { Vector center; double radius; };
+  struct Corner
+  {
+    Vector center;
+    double radius;
+  };
 
-  Subdivided_network(const Field_band& band, const Extraction_options& options)
-    : m_band(band), m_options(options)
-  {}
+  Subdivided_network(const Field_band& band, const Extraction_options& options) : m_band(band), m_options(options) {}
 
-  Curve_network run(const std::vector<std::vector<std::size_t> >& clusters, const std::vector<Corner>& corners) const
+  Curve_network run(const std::vector<std::vector<std::size_t>>& clusters, const std::vector<Corner>& corners) const
   {
     Curve_network network;
     for (const Corner& corner : corners)
@@ -85,7 +88,8 @@ private:
     const Ball_search search(positions);
     Distance_graph graph(cluster.size());
     std::vector<std::size_t> ball;
-    for (std::size_t i = 0; i < positions.size(); ++i) {
+    for (std::size_t i = 0; i < positions.size(); ++i)
+    {
       search.query(positions[i], m_options.connection_radius, ball);
       for (std::size_t j : ball)
         if (j < i)
@@ -107,7 +111,8 @@ private:
     std::size_t best = 0;
     double largest = -1.;
     for (std::size_t i = 0; i < distances.size(); ++i)
-      if (distances[i] < (std::numeric_limits<double>::max)() && distances[i] > largest) {
+      if (distances[i] < (std::numeric_limits<double>::max)() && distances[i] > largest)
+      {
         largest = distances[i];
         best = i;
       }
@@ -128,13 +133,19 @@ private:
       detour[i] = (std::min)(from_a[i], from_b[i]);
     std::size_t middle = farthest(detour);
     is_closed = is_cycle(cluster, graph, a, b, from_a, from_b);
-    if (is_closed) {
+    if (is_closed)
+    {
       // the middle of the other half
       const Vector opposite = middle_of_path(cluster, a, b, from_a, from_b);
       double best = -1.;
-      for (std::size_t i = 0; i < cluster.size(); ++i) {
+      for (std::size_t i = 0; i < cluster.size(); ++i)
+      {
         const double far = (std::min)(detour[i], (m_band.points[cluster[i]] - opposite).norm());
-        if (far > best) { best = far; middle = i; }
+        if (far > best)
+        {
+          best = far;
+          middle = i;
+        }
       }
       return {a, b, middle};
     }
@@ -149,9 +160,14 @@ private:
     const double length = from_a[b];
     std::size_t middle = a;
     double best = (std::numeric_limits<double>::infinity)();
-    for (std::size_t i = 0; i < cluster.size(); ++i) {
+    for (std::size_t i = 0; i < cluster.size(); ++i)
+    {
       const double off = (from_a[i] + from_b[i] - length) + std::abs(from_a[i] - from_b[i]);
-      if (off < best) { best = off; middle = i; }
+      if (off < best)
+      {
+        best = off;
+        middle = i;
+      }
     }
     return m_band.points[cluster[middle]];
   }
@@ -166,7 +182,8 @@ private:
     const Vector middle = middle_of_path(cluster, a, b, from_a, from_b);
     Distance_graph rest(cluster.size());
     const auto is_kept = [&](std::size_t i) { return (m_band.points[cluster[i]] - middle).norm() > cut; };
-    for (const auto& edge : boost::make_iterator_range(boost::edges(graph))) {
+    for (const auto& edge : boost::make_iterator_range(boost::edges(graph)))
+    {
       const std::size_t i = boost::source(edge, graph), j = boost::target(edge, graph);
       if (is_kept(i) && is_kept(j))
         boost::add_edge(i, j, 1., rest);
@@ -184,10 +201,13 @@ private:
       covariance += (m_band.points[i] - mean) * (m_band.points[i] - mean).transpose();
     const Vector axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().col(2);
     std::size_t low = 0, high = 0;
-    for (std::size_t k = 1; k < cluster.size(); ++k) {
+    for (std::size_t k = 1; k < cluster.size(); ++k)
+    {
       const double s = m_band.points[cluster[k]].dot(axis);
-      if (s < m_band.points[cluster[low]].dot(axis)) low = k;
-      if (s > m_band.points[cluster[high]].dot(axis)) high = k;
+      if (s < m_band.points[cluster[low]].dot(axis))
+        low = k;
+      if (s > m_band.points[cluster[high]].dot(axis))
+        high = k;
     }
     return low == high ? std::vector<std::size_t>() : std::vector<std::size_t>{low, high};
   }
@@ -195,19 +215,31 @@ private:
   // eq. 2
   void subdivide(const std::vector<std::size_t>& cluster, std::vector<Vector>& polyline) const
   {
-    while (polyline.size() < cluster.size()) {
+    while (polyline.size() < cluster.size())
+    {
       double worst = m_options.split_threshold;
       std::size_t split = cluster.size(), after = 0;
-      for (std::size_t k = 0; k < cluster.size(); ++k) {
+      for (std::size_t k = 0; k < cluster.size(); ++k)
+      {
         const Vector& p = m_band.points[cluster[k]];
         double least = (std::numeric_limits<double>::infinity)(), nearest = least;
         std::size_t segment = 0;
-        for (std::size_t s = 1; s < polyline.size(); ++s) {
+        for (std::size_t s = 1; s < polyline.size(); ++s)
+        {
           const double distance = std::sqrt(squared_distance_to_segment(p, polyline[s - 1], polyline[s]));
           least = (std::min)(least, std::abs(m_band.distances[cluster[k]] - distance));
-          if (distance < nearest) { nearest = distance; segment = s; }
+          if (distance < nearest)
+          {
+            nearest = distance;
+            segment = s;
+          }
         }
-        if (least > worst) { worst = least; split = k; after = segment; }
+        if (least > worst)
+        {
+          worst = least;
+          split = k;
+          after = segment;
+        }
       }
       if (split == cluster.size())
         return;
@@ -221,11 +253,17 @@ private:
     const Vector end = e == 0 ? polyline.front() : polyline.back();
     double nearest = m_options.corner_reach;
     std::size_t node = no_node;
-    for (std::size_t c = 0; c < corners.size(); ++c) {
+    for (std::size_t c = 0; c < corners.size(); ++c)
+    {
       const double distance = (corners[c].center - end).norm() - corners[c].radius;
-      if (distance < nearest) { nearest = distance; node = c; }
+      if (distance < nearest)
+      {
+        nearest = distance;
+        node = c;
+      }
     }
-    if (node == no_node) {
+    if (node == no_node)
+    {
       network.nodes.push_back(end);
       return network.nodes.size() - 1;
     }

@@ -38,7 +38,11 @@ class Surface_evidence
   typedef Eigen::Matrix<double, size, 1> Row;
   typedef Eigen::Matrix<double, size, size> Matrix;
 
-  struct Sample { double s; Vector offset; };      // from the middle of the window, from the curve
+  struct Sample
+  {
+    double s;
+    Vector offset;
+  }; // from the middle of the window, from the curve
 
   struct Window
   {
@@ -61,7 +65,7 @@ public:
   struct Fold
   {
     double slope = 0., deviation = 0.;
-    bool is_known = false;      // else the surface is no graph over a plane there
+    bool is_known = false; // else the surface is no graph over a plane there
   };
 
   // `surroundings` has points up to a distance of `reach` from all curves
@@ -70,7 +74,7 @@ public:
   // of the polylines that are not null
   std::vector<Fold> folds(const std::vector<const std::vector<Vector>*>& polylines) const
   {
-    std::vector<std::vector<Window> > windows = collect(polylines);
+    std::vector<std::vector<Window>> windows = collect(polylines);
     std::vector<double> residuals;
     for (std::vector<Window>& curve : windows)
       for (Window& window : curve)
@@ -86,18 +90,20 @@ public:
   }
 
 private:
-  std::vector<std::vector<Window> > collect(const std::vector<const std::vector<Vector>*>& polylines) const
+  std::vector<std::vector<Window>> collect(const std::vector<const std::vector<Vector>*>& polylines) const
   {
-    std::vector<std::vector<double> > lengths(polylines.size());
-    std::vector<std::vector<Window> > windows(polylines.size());
-    for (std::size_t c = 0; c < polylines.size(); ++c) {
+    std::vector<std::vector<double>> lengths(polylines.size());
+    std::vector<std::vector<Window>> windows(polylines.size());
+    for (std::size_t c = 0; c < polylines.size(); ++c)
+    {
       if (!polylines[c])
         continue;
       lengths[c] = arc_lengths(*polylines[c]);
       windows[c].resize((std::max)(std::size_t(1), static_cast<std::size_t>(lengths[c].back() / window_length + 0.5)));
     }
     const std::vector<Polyline_foot> feet = nearest_feet(m_surroundings, polylines, reach);
-    for (std::size_t i = 0; i < feet.size(); ++i) {
+    for (std::size_t i = 0; i < feet.size(); ++i)
+    {
       if (!feet[i].is_valid())
         continue;
       const std::vector<Vector>& points = *polylines[feet[i].curve];
@@ -126,7 +132,8 @@ private:
       mean += sample.offset;
     mean /= double(window.samples.size());
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-    for (const Sample& sample : window.samples) {
+    for (const Sample& sample : window.samples)
+    {
       Vector offset = sample.offset - mean;
       offset -= offset.dot(direction) * direction;
       moments += offset * offset.transpose();
@@ -137,7 +144,8 @@ private:
     Matrix normal_matrix = Matrix::Zero();
     Row right = Row::Zero();
     std::size_t left = 0;
-    for (const Sample& sample : window.samples) {
+    for (const Sample& sample : window.samples)
+    {
       const Row row = row_of(sample, across);
       const double height = sample.offset.dot(window.normal);
       normal_matrix += row * row.transpose();
@@ -152,7 +160,8 @@ private:
     const Eigen::LDLT<Matrix> solved(normal_matrix);
     const Row solution = solved.solve(right);
     double squares = 0.;
-    for (const Sample& sample : window.samples) {
+    for (const Sample& sample : window.samples)
+    {
       const double e = sample.offset.dot(window.normal) - row_of(sample, across).dot(solution);
       squares += e * e;
     }
@@ -177,7 +186,8 @@ private:
     double sum = 0., sum_of_sizes = 0., sum_of_deviations = 0., total = 0.;
     std::size_t known = 0;
     Vector previous = Vector::Zero();
-    for (Window& window : windows) {
+    for (Window& window : windows)
+    {
       if (!fit(window, noise) || window.residual > (std::min)(2. * noise + 0.04, most_residual))
         continue;
       const double sign = window.normal.dot(previous) < 0. ? -1. : 1.;
@@ -190,7 +200,8 @@ private:
       ++known;
     }
     fold.is_known = known > 0 && 2 * known >= windows.size();
-    if (fold.is_known) {
+    if (fold.is_known)
+    {
       // Where the surface is smooth, the slopes are errors, and their mean size is that of a normal distribution; a
       // fold that is convex in some windows and concave in others shows in the sizes only.
       const double beyond_errors = (sum_of_sizes - std::sqrt(2. / CGAL_PI) * sum_of_deviations) / total;

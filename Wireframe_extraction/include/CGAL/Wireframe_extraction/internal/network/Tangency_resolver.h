@@ -29,7 +29,7 @@ namespace internal {
 class Tangency_resolver : private Network_editor
 {
   static constexpr double tangential_turn = 0.5;
-  static constexpr double largest_turn = 2.5;       // of a curve where it touches another one
+  static constexpr double largest_turn = 2.5; // of a curve where it touches another one
 
 public:
   using Network_editor::Network_editor;
@@ -45,7 +45,8 @@ public:
     std::vector<Candidate> candidates;
     std::vector<Curve_end> ends;
     for (const std::vector<Curve_end>& around : m_network.incidences())
-      if (around.size() == 1) {
+      if (around.size() == 1)
+      {
         const Local_curve& end = tip(around[0]);
         const Segment_grid::Hit hit = grid.nearest(end.point, reach, [&](const Segment_grid::Hit& h) {
           return h.curve != around[0].first && std::abs(h.direction.dot(end.tangent)) > std::cos(tangential_turn);
@@ -53,21 +54,27 @@ public:
         const bool is_touching = hit.is_valid() && is_inside(hit);
         candidates.push_back({is_touching, is_touching ? hit.curve : Segment_grid::no_curve});
         ends.push_back(around[0]);
-      } else if (around.size() == 3)
-        for (std::size_t k = 0; k < 3; ++k) {
+      }
+      else if (around.size() == 3)
+        for (std::size_t k = 0; k < 3; ++k)
+        {
           const std::vector<Curve_end> rest{around[(k + 1) % 3], around[(k + 2) % 3]};
           if (lead_on(rest, around[k]))
-            for (const Curve_end& end : rest) {
+            for (const Curve_end& end : rest)
+            {
               candidates.push_back({true, Segment_grid::no_curve});
               ends.push_back(end);
             }
         }
-    bridge(ends, [&](std::size_t i, std::size_t j) {
-      const Candidate &a = candidates[i], &b = candidates[j];
-      return (a.is_touching || b.is_touching)
-        && (a.touched == b.touched || a.touched == Segment_grid::no_curve || b.touched == Segment_grid::no_curve)
-        && node_of(ends[i]) != node_of(ends[j]);
-    }, [](const Bridging_arc& arc) { return arc.turn < largest_turn ? arc.mismatch : 1.; });
+    bridge(
+      ends,
+      [&](std::size_t i, std::size_t j) {
+        const Candidate &a = candidates[i], &b = candidates[j];
+        return (a.is_touching || b.is_touching)
+          && (a.touched == b.touched || a.touched == Segment_grid::no_curve || b.touched == Segment_grid::no_curve)
+          && node_of(ends[i]) != node_of(ends[j]);
+      },
+      [](const Bridging_arc& arc) { return arc.turn < largest_turn ? arc.mismatch : 1.; });
     dissolve_smooth_joints();
   }
 
@@ -75,10 +82,12 @@ public:
   // each lead on smoothly, or in a single node where four curves meet on one tangent.
   void separate_tangent_curves()
   {
-    for (bool changed = true; changed; ) {
+    for (bool changed = true; changed;)
+    {
       changed = false;
       const auto incidences = m_network.incidences();
-      for (std::size_t c = 0; c < m_network.curves.size() && !changed; ++c) {
+      for (std::size_t c = 0; c < m_network.curves.size() && !changed; ++c)
+      {
         const Network_curve& curve = m_network.curves[c];
         if (!curve.is_alive || curve.is_closed_without_node() || curve.nodes[0] == curve.nodes[1]
             || incidences[curve.nodes[0]].size() != 3 || incidences[curve.nodes[1]].size() != 3
@@ -89,7 +98,8 @@ public:
         if (a.size() == 2 && b.size() == 2 && lead_on(a, {c, 0}) && lead_on(b, {c, 1}))
           changed = separate(a, b, curve.points);
       }
-      for (std::size_t node = 0; node < incidences.size() && !changed; ++node) {
+      for (std::size_t node = 0; node < incidences.size() && !changed; ++node)
+      {
         const std::vector<Curve_end>& ends = incidences[node];
         if (ends.size() != 4)
           continue;
@@ -106,7 +116,7 @@ private:
   struct Candidate
   {
     bool is_touching;
-    std::size_t touched;    // the curve, if it is known
+    std::size_t touched; // the curve, if it is known
   };
 
   std::size_t node_of(const Curve_end& end) const { return m_network.curves[end.first].nodes[end.second]; }
@@ -129,15 +139,16 @@ private:
   bool lead_on(const std::vector<Curve_end>& ends, const Curve_end& from) const
   {
     const Vector onward = direction(from);
-    return std::all_of(ends.begin(), ends.end(), [&](const Curve_end& end) {
-      return direction(end).dot(onward) < -std::cos(tangential_turn); });
+    return std::all_of(ends.begin(), ends.end(),
+                       [&](const Curve_end& end) { return direction(end).dot(onward) < -std::cos(tangential_turn); });
   }
 
   // Joins each end on one side to the one on the other side that it leads to, if it is clear which one that is.
   bool separate(const std::vector<Curve_end>& a, const std::vector<Curve_end>& b, const std::vector<Vector>& between)
   {
     double sums[2], largest[2];
-    for (std::size_t k = 0; k < 2; ++k) {
+    for (std::size_t k = 0; k < 2; ++k)
+    {
       const double first = mismatch(a[0], b[k]), second = mismatch(a[1], b[1 - k]);
       sums[k] = first + second;
       largest[k] = (std::max)(first, second);
@@ -148,7 +159,8 @@ private:
     const std::array<std::size_t, 2> nodes = {node_of(a[0]), node_of(b[0])};
     lead_through(a[0], b[partner], between);
     // what is left in the nodes leads on as well
-    for (std::size_t node : nodes) {
+    for (std::size_t node : nodes)
+    {
       std::vector<Curve_end> ends = m_network.incidences()[node];
       if (ends.size() == 2)
         join_ends(ends[0], ends[1]);
@@ -160,7 +172,8 @@ private:
   // other
   double mismatch(const Curve_end& a, const Curve_end& b) const
   {
-    for (double depth : {9., 6., 3.}) {
+    for (double depth : {9., 6., 3.})
+    {
       const Bridging_arc arc = bridging_arc(a, depth, b, depth);
       if (arc.turn < largest_turn)
         return arc.mismatch;

@@ -55,7 +55,8 @@ public:
   {
     const std::vector<Traced_curve> curves = trace(std::move(seeds), proceed);
     Curve_network network(curves);
-    for (int pass = 0; pass < number_of_passes; ++pass) {
+    for (int pass = 0; pass < number_of_passes; ++pass)
+    {
       network = join(network, pass > 0);
       // smooth curves know better where they lead than traces do
       if (!smooth(network, proceed))
@@ -85,18 +86,25 @@ private:
     joiner.prune(prune);
     if (m_surroundings.size() > 0)
       joiner.prune([&](const std::vector<const std::vector<Vector>*>& polylines) { return folded(polylines); });
-    if (is_smooth) {
+    if (is_smooth)
+    {
       const Curve_evidence sharp_evidence(m_band, m_contraction.noise, 0.06);
-      joiner.round_off([&](const Vector& center, double radius, const std::vector<const std::vector<Vector>*>& lines) {
-        return sharp_evidence.loss_around(center, radius, lines);
-      }, 0.5 * least_gain);
+      joiner.round_off(
+        [&](const Vector& center, double radius, const std::vector<const std::vector<Vector>*>& lines) {
+          return sharp_evidence.loss_around(center, radius, lines);
+        },
+        0.5 * least_gain);
       std::vector<double> distances = evidence.distances(network.polylines());
-      joiner.add_edges_between_nodes(10., [&](const std::vector<Vector>& edge) {
-        return evidence.gain_of(edge, distances) - least_gain - 0.35 * least_gain * polyline_length(edge);
-      }, [&](const std::vector<Vector>& edge) { evidence.add(edge, distances); });
+      joiner.add_edges_between_nodes(
+        10.,
+        [&](const std::vector<Vector>& edge) {
+          return evidence.gain_of(edge, distances) - least_gain - 0.35 * least_gain * polyline_length(edge);
+        },
+        [&](const std::vector<Vector>& edge) { evidence.add(edge, distances); });
     }
     joiner.drop_spurs(4. + 5. * m_contraction.noise, 2. + 4. * m_contraction.noise);
-    if (!m_band.is_on_crease.empty()) {
+    if (!m_band.is_on_crease.empty())
+    {
       joiner.trim_free_ends([&](const Vector& p) { return is_on_crease(p); }, 25.);
       joiner.join();
       joiner.drop_spurs(4. + 5. * m_contraction.noise, 2. + 4. * m_contraction.noise);
@@ -127,7 +135,8 @@ private:
     m_band.search.query(position, 1.5, found);
     std::size_t on_crease = 0, all = 0;
     for (std::size_t i : found)
-      if (i < m_band.skeleton_size) {
+      if (i < m_band.skeleton_size)
+      {
         ++all;
         on_crease += m_band.is_on_crease[i] != 0;
       }
@@ -140,12 +149,13 @@ private:
     std::vector<Fitted_curve> fitted;
     std::vector<std::size_t> origin;
     for (std::size_t c = 0; c < network.curves.size(); ++c)
-      if (network.curves[c].is_alive) {
+      if (network.curves[c].is_alive)
+      {
         Fitted_curve curve;
         curve.path = network.curves[c].points;
         for (int e = 0; e < 2; ++e)
-          curve.vertices[e] = network.curves[c].nodes[e] == no_node ? Fitted_curve::no_vertex
-                                                                    : network.curves[c].nodes[e];
+          curve.vertices[e] =
+            network.curves[c].nodes[e] == no_node ? Fitted_curve::no_vertex : network.curves[c].nodes[e];
         fitted.push_back(curve);
         origin.push_back(c);
       }
@@ -168,12 +178,14 @@ private:
     curve.points.clear();
     for (std::size_t k = 0; k <= count; ++k)
       curve.points.push_back(spline.at(spline.front() + length * double(k) / double(count)));
-    if (curve.is_closed_without_node()) {
+    if (curve.is_closed_without_node())
+    {
       curve.points.back() = curve.points.front();
       return;
     }
     const double inward = (std::min)(1., 0.3 * length);
-    for (int e = 0; e < 2; ++e) {
+    for (int e = 0; e < 2; ++e)
+    {
       const Cubic_spline::Basis basis = spline.basis(e == 0 ? spline.front() + inward : spline.back() - inward);
       const Vector d1 = spline.combine(basis, 1), d2 = spline.combine(basis, 2);
       Local_curve& tip = curve.tips[e];
@@ -197,18 +209,21 @@ private:
     std::vector<Traced_curve> curves;
     Field_explanation explanation(m_band);
     Curve_tracer tracer(m_band, m_tracing, &explanation);
-    for (const Traced_curve& curve : m_contraction.creases) {
+    for (const Traced_curve& curve : m_contraction.creases)
+    {
       explanation.add(curve.points);
       tracer.keep(curve);
       curves.push_back(curve);
     }
     // a fading crease can be followed further in a field that is precise
-    for (std::size_t c = 0; noise < 0.1 && c < curves.size(); ++c) {
+    for (std::size_t c = 0; noise < 0.1 && c < curves.size(); ++c)
+    {
       tracer.extend(curves[c], c);
       explanation.add(curves[c].points);
     }
     std::size_t done = 0;
-    for (std::size_t i : seeds) {
+    for (std::size_t i : seeds)
+    {
       if (++done % 256 == 0 && !proceed(double(done) / double(seeds.size())))
         break;
       if (residuals[i] > 0.1 + 1.3 * noise)
@@ -237,7 +252,8 @@ private:
     Local_fit_options fit_options;
     fit_options.radius = 0.6 * m_options.fitting_radius;
     fit_options.scale = m_tracing.fit_scale();
-    for (std::size_t i = 0; i < m_band.skeleton_size; ++i) {
+    for (std::size_t i = 0; i < m_band.skeleton_size; ++i)
+    {
       if (explanation.is_explained(i, m_contraction.noise))
         continue;
       std::size_t unexplained = 0;

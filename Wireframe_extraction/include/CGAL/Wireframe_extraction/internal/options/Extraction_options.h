@@ -69,27 +69,32 @@ struct Extraction_options
 inline std::string out_of_range(const Extraction_options& options)
 {
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
-  struct Range { const char* name; double value, least, most; bool is_least_allowed; };
-  const Range ranges[] = {
-    {"noise_level", options.noise_level, -infinity, 1., false},
-    {"skeleton_distance", options.skeleton_distance, 0., infinity, false},
-    {"support_distance", options.support_distance, 0., infinity, false},
-    {"fitting_radius", options.fitting_radius, 0., infinity, false},
-    {"corner_sampling_ratio", options.corner_sampling_ratio, 0., 1., false},
-    {"corner_radius", options.corner_radius, 0., infinity, false},
-    {"corner_variance", options.corner_variance, 0., 1., true},
-    {"corner_residual", options.corner_residual, -infinity, infinity, false},
-    {"connection_radius", options.connection_radius, 0., infinity, false},
-    {"connection_angle", options.connection_angle, 0., 90., true},
-    {"split_threshold", options.split_threshold, 0., infinity, false},
-    {"corner_reach", options.corner_reach, 0., infinity, true},
-    {"maximum_gap", options.maximum_gap, 0., infinity, true},
-    {"smooth_angle", options.smooth_angle, 0., 180., true},
-    {"minimum_evidence", options.minimum_evidence, 0., infinity, true},
-    {"number_of_rounds", double(options.number_of_rounds), 1., 1000., true},
-    {"type_significance", options.type_significance, 0., 1., false}};
+  struct Range
+  {
+    const char* name;
+    double value, least, most;
+    bool is_least_allowed;
+  };
+  const Range ranges[] = {{"noise_level", options.noise_level, -infinity, 1., false},
+                          {"skeleton_distance", options.skeleton_distance, 0., infinity, false},
+                          {"support_distance", options.support_distance, 0., infinity, false},
+                          {"fitting_radius", options.fitting_radius, 0., infinity, false},
+                          {"corner_sampling_ratio", options.corner_sampling_ratio, 0., 1., false},
+                          {"corner_radius", options.corner_radius, 0., infinity, false},
+                          {"corner_variance", options.corner_variance, 0., 1., true},
+                          {"corner_residual", options.corner_residual, -infinity, infinity, false},
+                          {"connection_radius", options.connection_radius, 0., infinity, false},
+                          {"connection_angle", options.connection_angle, 0., 90., true},
+                          {"split_threshold", options.split_threshold, 0., infinity, false},
+                          {"corner_reach", options.corner_reach, 0., infinity, true},
+                          {"maximum_gap", options.maximum_gap, 0., infinity, true},
+                          {"smooth_angle", options.smooth_angle, 0., 180., true},
+                          {"minimum_evidence", options.minimum_evidence, 0., infinity, true},
+                          {"number_of_rounds", double(options.number_of_rounds), 1., 1000., true},
+                          {"type_significance", options.type_significance, 0., 1., false}};
   std::ostringstream message;
-  for (const Range& range : ranges) {
+  for (const Range& range : ranges)
+  {
     const bool is_above = range.is_least_allowed ? range.value >= range.least : range.value > range.least;
     if (std::isfinite(range.value) && is_above && range.value <= range.most)
       continue;
@@ -112,8 +117,7 @@ Extraction_options given_options(const NamedParameters& np)
   Extraction_options options;
 #define CGAL_WIREFRAME_READ_LENGTH(name) \
   options.name = CGAL::to_double(choose_parameter(get_parameter(np, internal_np::name), options.name))
-#define CGAL_WIREFRAME_READ(name) \
-  options.name = choose_parameter(get_parameter(np, internal_np::name), options.name)
+#define CGAL_WIREFRAME_READ(name) options.name = choose_parameter(get_parameter(np, internal_np::name), options.name)
   CGAL_WIREFRAME_READ_LENGTH(noise_level);
   CGAL_WIREFRAME_READ_LENGTH(skeleton_distance);
   CGAL_WIREFRAME_READ_LENGTH(support_distance);

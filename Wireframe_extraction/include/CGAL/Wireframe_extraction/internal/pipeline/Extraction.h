@@ -41,8 +41,16 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-template <class T> T& referred(T& object) { return object; }
-template <class T> T& referred(std::reference_wrapper<T>& reference) { return reference.get(); }
+template <class T>
+T& referred(T& object)
+{
+  return object;
+}
+template <class T>
+T& referred(std::reference_wrapper<T>& reference)
+{
+  return reference.get();
+}
 
 // Runs all stages on a cloud, and reports how it went.
 template <class GeomTraits, class NamedParameters>
@@ -58,20 +66,22 @@ class Extraction
   Report& m_report;
   Stage_runner m_runner;
   const std::function<bool(double)> m_progress;
-  std::unique_ptr<Surveyed_cloud> m_cloud;      // as long as it is needed
+  std::unique_ptr<Surveyed_cloud> m_cloud; // as long as it is needed
   Wireframe_skeleton<GeomTraits> m_skeleton;
-  std::vector<Wireframe_corner<GeomTraits> > m_corners;
-  std::vector<std::vector<std::size_t> > m_clusters;
+  std::vector<Wireframe_corner<GeomTraits>> m_corners;
+  std::vector<std::vector<std::size_t>> m_clusters;
   Wireframe_graph<GeomTraits> m_graph;
   Wireframe<GeomTraits> m_wireframe;
 
 public:
   Extraction(const GeomTraits& traits, const NamedParameters& np)
     : m_traits(traits), m_np(np), m_options(given_options(np)),
-      m_report(CGAL::parameters::choose_parameter(
-        CGAL::parameters::get_parameter(np, internal_np::extraction_report), std::ref(m_own_report)).get()),
-      m_runner(CGAL::parameters::choose_parameter(
-        CGAL::parameters::get_parameter(np, CGAL::internal_np::callback), std::function<bool(double)>()), m_report),
+      m_report(CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::extraction_report),
+                                                  std::ref(m_own_report))
+                 .get()),
+      m_runner(CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, CGAL::internal_np::callback),
+                                                  std::function<bool(double)>()),
+               m_report),
       m_progress([this](double share) { return m_runner.proceed(share); })
   {
     m_report = Report();
@@ -80,11 +90,11 @@ public:
   Wireframe<GeomTraits> run(Distance_cloud_source& source, bool is_reading_timed)
   {
     Default_visitor no_visitor;
-    auto given_visitor = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(m_np, internal_np::visitor), std::ref(no_visitor));
+    auto given_visitor = CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(m_np, internal_np::visitor),
+                                                            std::ref(no_visitor));
     auto& visitor = referred(given_visitor);
-    if (!read(source, is_reading_timed) || !find_scale(visitor) || !find_skeleton(visitor)
-        || !find_curves(visitor) || !fit_all(visitor))
+    if (!read(source, is_reading_timed) || !find_scale(visitor) || !find_skeleton(visitor) || !find_curves(visitor)
+        || !fit_all(visitor))
       return Wireframe<GeomTraits>();
     summarize();
     return m_wireframe;
@@ -104,10 +114,7 @@ private:
     return m_runner.run(name, share_when_done, work) || fail(Report::Status::CANCELLED, "cancelled");
   }
 
-  bool is_readable()
-  {
-    return m_cloud->error().empty() || fail(Report::Status::INVALID_INPUT, m_cloud->error());
-  }
+  bool is_readable() { return m_cloud->error().empty() || fail(Report::Status::INVALID_INPUT, m_cloud->error()); }
 
   bool read(Distance_cloud_source& source, bool is_timed)
   {
@@ -115,8 +122,8 @@ private:
     if (!problem.empty())
       return fail(Report::Status::INVALID_INPUT, problem);
     m_cloud = std::make_unique<Surveyed_cloud>(source, points_in_memory(m_np));
-    const bool skip_invalid = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(m_np, internal_np::skip_invalid), false);
+    const bool skip_invalid =
+      CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(m_np, internal_np::skip_invalid), false);
     CGAL::Real_timer timer;
     timer.start();
     if (!survey(*m_cloud, skip_invalid, m_report))
@@ -136,8 +143,8 @@ private:
                     + "; a wireframe needs points of a surface, so check what holds x, y and z");
     if (dimension == 2)
       m_report.warnings.push_back("all points lie in one plane");
-    const double given = CGAL::to_double(CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(m_np, internal_np::sampling_distance), 0.));
+    const double given = CGAL::to_double(
+      CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(m_np, internal_np::sampling_distance), 0.));
     Cloud_scale scale;
     if (!stage("sampling distance", 0.06, [&] { scale = m_cloud->scale(); }) || !is_readable())
       return false;
@@ -187,8 +194,8 @@ private:
     m_report.number_of_strays = m_skeleton.number_of_strays();
     const auto warn = [&](std::size_t number, const char* reason) {
       if (number > 0)
-        m_report.warnings.push_back("points near features that were left out since they lie " + std::string(reason) + ": "
-                                    + std::to_string(number));
+        m_report.warnings.push_back("points near features that were left out since they lie " + std::string(reason)
+                                    + ": " + std::to_string(number));
     };
     warn(m_report.number_of_duplicates, "exactly where others do");
     warn(m_report.number_of_strays, "more than 1e9 sampling distances away from the others");
@@ -204,9 +211,7 @@ private:
       return false;
     m_report.number_of_clusters = m_clusters.size();
     visitor.curves_segmented(m_skeleton, m_clusters);
-    if (!stage("graph", 0.85, [&] {
-          m_graph = build_graph(m_skeleton, m_corners, m_clusters, m_options, m_progress);
-        }))
+    if (!stage("graph", 0.85, [&] { m_graph = build_graph(m_skeleton, m_corners, m_clusters, m_options, m_progress); }))
       return false;
     visitor.graph_built(m_graph);
     return true;
@@ -222,9 +227,8 @@ private:
     visitor.curves_fitted(m_wireframe);
     if (!m_options.recognize_types)
       return true;
-    if (!stage("types", 1., [&] {
-          m_wireframe = recognize(m_skeleton, m_wireframe, m_options, m_report.regularities);
-        }))
+    if (!stage("types", 1.,
+               [&] { m_wireframe = recognize(m_skeleton, m_wireframe, m_options, m_report.regularities); }))
       return false;
     visitor.types_recognized(m_wireframe);
     return true;
@@ -234,8 +238,10 @@ private:
   {
     std::vector<std::size_t> ends(m_wireframe.vertices.size(), 0);
     double squares = 0., support = 0.;
-    for (const Curve& curve : m_wireframe.curves) {
-      if (curve.source != curve.no_vertex) {
+    for (const Curve& curve : m_wireframe.curves)
+    {
+      if (curve.source != curve.no_vertex)
+      {
         ++ends[curve.source];
         ++ends[curve.target];
       }

@@ -32,15 +32,14 @@ class Arc_length_table
 
   struct Interval
   {
-    double begin, end;        // parameters
+    double begin, end; // parameters
     std::size_t span;
-    double length_before;     // from the start of the table to `begin`
+    double length_before; // from the start of the table to `begin`
     double length;
   };
 
 public:
-  Arc_length_table(const Spline_data& spline, double u0, double u1)
-    : m_spline(spline), m_begin(u0), m_end(u1)
+  Arc_length_table(const Spline_data& spline, double u0, double u1) : m_spline(spline), m_begin(u0), m_end(u1)
   {
     if (!(u0 < u1))
       return;
@@ -70,8 +69,9 @@ public:
       return m_begin;
     if (s >= m_length)
       return m_end;
-    const auto after = std::upper_bound(m_intervals.begin(), m_intervals.end(), s,
-      [](double value, const Interval& interval) { return value < interval.length_before; });
+    const auto after =
+      std::upper_bound(m_intervals.begin(), m_intervals.end(), s,
+                       [](double value, const Interval& interval) { return value < interval.length_before; });
     return parameter_in(*(after - 1), s - (after - 1)->length_before);
   }
 

@@ -46,7 +46,12 @@ class Spline_projector
   typedef boost::container::small_vector<double, 32> Coefficients;
   typedef boost::container::small_vector<Spline_vector, 32> Vectors;
 
-  enum class Slope { NEVER_RISES_FROM_A_FALL, RISES_FROM_A_FALL_ONCE, UNKNOWN };
+  enum class Slope
+  {
+    NEVER_RISES_FROM_A_FALL,
+    RISES_FROM_A_FALL_ONCE,
+    UNKNOWN
+  };
 
   struct Box
   {
@@ -80,8 +85,9 @@ public:
       consider(m_pieces[i].begin, m_pieces[i].points.front().point, query, best);
       boxes.push_back(Box{lower_bound(m_pieces[i].points.data(), query), i});
     }
-    std::sort(boxes.begin(), boxes.end(), [](const Box& a, const Box& b)
-              { return a.bound < b.bound || (a.bound == b.bound && a.piece < b.piece); });
+    std::sort(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) {
+      return a.bound < b.bound || (a.bound == b.bound && a.piece < b.piece);
+    });
 
     Stack stack((maximum_depth + 1) * 2 * (m_spline.degree + 1));
     for (const Box& box : boxes)
@@ -119,8 +125,8 @@ private:
   }
 
   void search(const Weighted_control_point* points, std::size_t span, double begin, double end,
-              Weighted_control_point* stack, std::size_t depth, std::size_t& splits,
-              const Spline_vector& query, Result& best) const
+              Weighted_control_point* stack, std::size_t depth, std::size_t& splits, const Spline_vector& query,
+              Result& best) const
   {
     if (lower_bound(points, query) >= best.distance)
       return;
@@ -166,7 +172,7 @@ private:
 
     // scaled Bernstein coefficients, that is, with the binomials, multiply like those of the power basis
     Vectors b(is_rational ? 2 * degree : degree);
-    double largest_a = 0., largest_b = 0.;    // b before its terms cancel each other
+    double largest_a = 0., largest_b = 0.; // b before its terms cancel each other
     for (std::size_t i = 0; i < degree; ++i)
     {
       const Spline_vector da = m_binomials[i] * (a[i + 1] - a[i]);
@@ -216,8 +222,7 @@ private:
     }
     if (number_of_changes > 1)
       return Slope::UNKNOWN;
-    return number_of_changes == 1 && is_first_negative ? Slope::RISES_FROM_A_FALL_ONCE
-                                                       : Slope::NEVER_RISES_FROM_A_FALL;
+    return number_of_changes == 1 && is_first_negative ? Slope::RISES_FROM_A_FALL_ONCE : Slope::NEVER_RISES_FROM_A_FALL;
   }
 
   // Finds the root of the slope on an interval on which it goes from falling to rising.
@@ -246,8 +251,7 @@ private:
 
   // The distance is flat at its minimum, where points beside it are as close up to rounding: among them the
   // stationary one is the most accurate.
-  static void consider_stationary(double u, const Spline_vector& point, const Spline_vector& query,
-                                  Result& best)
+  static void consider_stationary(double u, const Spline_vector& point, const Spline_vector& query, Result& best)
   {
     const double distance = norm(point - query);
     const double rounding = 4. * std::numeric_limits<double>::epsilon() * (norm(point) + distance);
@@ -257,7 +261,7 @@ private:
 
   const Spline_data& m_spline;
   std::vector<Bezier_piece> m_pieces;
-  std::vector<double> m_binomials;              // of degree - 1
+  std::vector<double> m_binomials; // of degree - 1
   std::vector<double> m_binomials_of_degree;
 };
 

@@ -36,8 +36,7 @@ struct Local_shape
 // Finds the lowest derivatives that do not vanish: with c(t) = c(0) + a t^m + ... + b t^n + ..., where b is
 // the first coefficient not parallel to a, the tangent is a and the curvature behaves like
 // n (n - m) |a x b| / (m^2 |a|^3) t^(n - 2 m). Returns whether the curve moves on that span at all.
-inline bool shape_on_span(const Spline_data& spline, std::size_t span, double u, bool is_left_limit,
-                          Local_shape& shape)
+inline bool shape_on_span(const Spline_data& spline, std::size_t span, double u, bool is_left_limit, Local_shape& shape)
 {
   // below this fraction of the largest term a term is rounding
   const double negligible = 1e-12;

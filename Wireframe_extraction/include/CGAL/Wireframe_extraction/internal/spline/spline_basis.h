@@ -9,7 +9,6 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SPLINE_SPLINE_BASIS_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SPLINE_SPLINE_BASIS_H
 
@@ -39,15 +38,9 @@ struct Spline_vector
     return Spline_vector{a.x - b.x, a.y - b.y, a.z - b.z};
   }
 
-  friend Spline_vector operator*(double s, const Spline_vector& a)
-  {
-    return Spline_vector{s * a.x, s * a.y, s * a.z};
-  }
+  friend Spline_vector operator*(double s, const Spline_vector& a) { return Spline_vector{s * a.x, s * a.y, s * a.z}; }
 
-  friend double dot(const Spline_vector& a, const Spline_vector& b)
-  {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-  }
+  friend double dot(const Spline_vector& a, const Spline_vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
   friend Spline_vector cross(const Spline_vector& a, const Spline_vector& b)
   {

@@ -31,8 +31,7 @@ struct Weighted_control_point
   double weight = 1.;
 };
 
-inline Weighted_control_point interpolate(const Weighted_control_point& a, const Weighted_control_point& b,
-                                          double t)
+inline Weighted_control_point interpolate(const Weighted_control_point& a, const Weighted_control_point& b, double t)
 {
   if (t <= 0.)
     return a;

@@ -32,8 +32,8 @@ namespace internal {
 // A run of stations that one line, circle or ellipse explains, or none.
 struct Curve_piece
 {
-  std::size_t first = 0, size = 0;              // of the stations; may pass the end of a closed curve
-  std::shared_ptr<const Primitive_fit> fit;     // null: it stays a spline
+  std::size_t first = 0, size = 0;          // of the stations; may pass the end of a closed curve
+  std::shared_ptr<const Primitive_fit> fit; // null: it stays a spline
   bool is_line() const { return fit && fit->curve.kind == Primitive_kind::LINE; }
 };
 
@@ -42,11 +42,11 @@ struct Curve_piece
 // as many parameters as there are times the logarithm of the number of observations (Schwarz 1978).
 class Curve_cutter
 {
-  static constexpr std::size_t most_places = 250;   // for cuts
-  static constexpr std::size_t reach = 2;   // how far around the ends of pieces cuts are tried, in stations
-  static constexpr double most_turn = 15. * CGAL_PI / 180., most_gap = 0.5;   // from one piece to the next
-  static constexpr double most_miss = 1.;   // how far from its vertex a curve may pass before vertices move
-  static constexpr double least_spline_parameters = 3.;   // of one that goes on smoothly at both ends
+  static constexpr std::size_t most_places = 250; // for cuts
+  static constexpr std::size_t reach = 2;         // how far around the ends of pieces cuts are tried, in stations
+  static constexpr double most_turn = 15. * CGAL_PI / 180., most_gap = 0.5; // from one piece to the next
+  static constexpr double most_miss = 1.;               // how far from its vertex a curve may pass before vertices move
+  static constexpr double least_spline_parameters = 3.; // of one that goes on smoothly at both ends
 
   const std::vector<Station>& m_stations;
   const std::array<Vector, 2> m_ends;
@@ -58,28 +58,29 @@ class Curve_cutter
 public:
   // `density` is the number of parameters that the spline has per station; `ends` are those of the curve, which count
   // unless it is closed and free of vertices
-  Curve_cutter(const std::vector<Station>& stations, double density,
-               const std::array<Vector, 2>& ends, bool is_closed, double significance)
+  Curve_cutter(const std::vector<Station>& stations, double density, const std::array<Vector, 2>& ends, bool is_closed,
+               double significance)
     : m_stations(stations), m_ends(ends), m_is_closed(is_closed), m_significance(significance),
-      m_log_size(std::log(2. * double(stations.size()))),
-      m_spline_costs(spline_costs(stations, density * m_log_size))
+      m_log_size(std::log(2. * double(stations.size()))), m_spline_costs(spline_costs(stations, density * m_log_size))
   {}
 
   std::vector<Curve_piece> run() const
   {
     const std::size_t n = m_stations.size();
-    const Curve_piece whole = first_that_fits({Primitive_kind::LINE, Primitive_kind::CIRCLE, Primitive_kind::ELLIPSE}, 0, n);
+    const Curve_piece whole =
+      first_that_fits({Primitive_kind::LINE, Primitive_kind::CIRCLE, Primitive_kind::ELLIPSE}, 0, n);
     if (whole.fit)
       return {whole};
     std::vector<Curve_piece> pieces = cut(0);
     // a closed curve has no natural start: the end of its largest piece is one
-    if (m_is_closed && pieces.size() > 1) {
-      const auto largest = std::max_element(pieces.begin(), pieces.end(), [](const Curve_piece& a, const Curve_piece& b) {
-        return a.size < b.size;
-      });
+    if (m_is_closed && pieces.size() > 1)
+    {
+      const auto largest = std::max_element(pieces.begin(), pieces.end(),
+                                            [](const Curve_piece& a, const Curve_piece& b) { return a.size < b.size; });
       pieces = cut_closed((largest->first + largest->size) % n);
       // what is joined below must not depend on where the curve starts
-      const auto line = std::find_if(pieces.begin(), pieces.end(), [](const Curve_piece& piece) { return piece.is_line(); });
+      const auto line =
+        std::find_if(pieces.begin(), pieces.end(), [](const Curve_piece& piece) { return piece.is_line(); });
       if (line != pieces.end())
         std::rotate(pieces.begin(), line, pieces.end());
     }
@@ -150,7 +151,8 @@ private:
   {
     const Station_range stations = range(first, size);
     double forward = 0., backward = 0.;
-    for (std::size_t i = 1; i < size; ++i) {
+    for (std::size_t i = 1; i < size; ++i)
+    {
       double step = curve.parameter(stations[i].position) - curve.parameter(stations[i - 1].position);
       if (curve.kind != Primitive_kind::LINE)
         step = std::remainder(step, 2. * CGAL_PI);
@@ -165,14 +167,16 @@ private:
     if (piece.fit)
       return Misfit::share_of_independent * piece.fit->misfit.capped()
         + (piece.fit->curve.number_of_parameters() + 1) * m_log_size;
-    return least_spline_parameters * m_log_size + m_spline_costs[piece.first + piece.size] - m_spline_costs[piece.first];
+    return least_spline_parameters * m_log_size + m_spline_costs[piece.first + piece.size]
+      - m_spline_costs[piece.first];
   }
 
   // sums of what the spline costs at each station; twice round, for pieces that pass the end of a closed curve
   static std::vector<double> spline_costs(const std::vector<Station>& stations, double cost_of_parameters)
   {
     std::vector<double> sums(1, 0.);
-    for (std::size_t i = 0; i < 2 * stations.size(); ++i) {
+    for (std::size_t i = 0; i < 2 * stations.size(); ++i)
+    {
       const Station& station = stations[i % stations.size()];
       const Vector residual = station.followed - station.position;
       Misfit misfit;
@@ -205,7 +209,7 @@ private:
   {
     Curve_piece piece;
     double total = 0.;
-    std::size_t node = 0, path = 0;     // the path that it continues
+    std::size_t node = 0, path = 0; // the path that it continues
   };
 
   // the pieces between two nodes that are possible; the spline always is
@@ -216,7 +220,8 @@ private:
     path.piece.first = (start + from) % m_stations.size();
     path.piece.size = size;
     paths.push_back(path);
-    for (const Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE}) {
+    for (const Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE})
+    {
       int& failed = failures[kind == Primitive_kind::LINE ? 0 : 1];
       // what fails on two windows in a row fails on all that contain them
       if (failed >= 2 || size < least_size(kind))
@@ -240,18 +245,21 @@ private:
       return bool(try_piece(kind, (start + first) % m_stations.size(), size).fit);
     };
     std::size_t largest = 0;
-    for (const Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE}) {
+    for (const Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE})
+    {
       std::size_t good = (std::max)(largest, least_size(kind)), bad = good;
       if (good > available || !is_explained(kind, good))
         continue;
-      while (bad == good && good < available) {
+      while (bad == good && good < available)
+      {
         const std::size_t next = (std::min)(2 * good, available);
         if (is_explained(kind, next))
           good = bad = next;
         else
           bad = next;
       }
-      while (bad > good + 1) {
+      while (bad > good + 1)
+      {
         const std::size_t middle = (good + bad) / 2;
         (is_explained(kind, middle) ? good : bad) = middle;
       }
@@ -265,11 +273,13 @@ private:
   {
     const std::size_t n = m_stations.size();
     std::vector<std::size_t> ends;
-    for (std::size_t i = 0; i < n;) {
+    for (std::size_t i = 0; i < n;)
+    {
       i += (std::max)(std::size_t(2), largest_window(start, i, n, true));
       ends.push_back(i);
     }
-    for (std::size_t i = n; i > 0;) {
+    for (std::size_t i = n; i > 0;)
+    {
       i -= (std::min)(i, (std::max)(std::size_t(2), largest_window(start, i, n, false)));
       ends.push_back(i);
     }
@@ -298,10 +308,12 @@ private:
   std::vector<Curve_piece> cut(std::size_t start) const
   {
     const std::vector<std::size_t> nodes = places_for_cuts(start);
-    std::vector<std::vector<Path> > paths(nodes.size());
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    std::vector<std::vector<Path>> paths(nodes.size());
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+    {
       std::array<int, 2> failures{{0, 0}};
-      for (std::size_t j = i + 1; j < nodes.size(); ++j) {
+      for (std::size_t j = i + 1; j < nodes.size(); ++j)
+      {
         std::vector<Path> next;
         add_paths(start, nodes[i], nodes[j] - nodes[i], failures, next);
         for (Path& path : next)
@@ -309,11 +321,11 @@ private:
             paths[j].push_back(path);
       }
     }
-    const auto best = std::min_element(paths.back().begin(), paths.back().end(), [](const Path& a, const Path& b) {
-      return a.total < b.total;
-    });
+    const auto best = std::min_element(paths.back().begin(), paths.back().end(),
+                                       [](const Path& a, const Path& b) { return a.total < b.total; });
     std::vector<Curve_piece> pieces;
-    for (const Path* path = &*best;; path = &paths[path->node][path->path]) {
+    for (const Path* path = &*best;; path = &paths[path->node][path->path])
+    {
       pieces.push_back(path->piece);
       if (path->node == 0)
         break;
@@ -331,7 +343,8 @@ private:
       return true;
     double least = (std::numeric_limits<double>::max)();
     for (std::size_t k = 0; k < before.size(); ++k)
-      if (before[k].total < least && can_follow(before[k].piece, path.piece)) {
+      if (before[k].total < least && can_follow(before[k].piece, path.piece))
+      {
         least = before[k].total;
         path.path = k;
       }
@@ -345,17 +358,20 @@ private:
     const std::size_t n = m_stations.size();
     std::vector<Curve_piece> best;
     double least = (std::numeric_limits<double>::max)();
-    for (std::size_t shift = 0; shift <= 2 * reach && shift < n; ++shift) {
+    for (std::size_t shift = 0; shift <= 2 * reach && shift < n; ++shift)
+    {
       const std::vector<Curve_piece> pieces = cut((start + n + shift - (std::min)(reach, n)) % n);
       double total = 0.;
       for (const Curve_piece& piece : pieces)
         total += cost(piece);
-      if (total < least && can_follow(pieces.back(), pieces.front())) {
+      if (total < least && can_follow(pieces.back(), pieces.front()))
+      {
         least = total;
         best = pieces;
       }
     }
-    if (best.empty()) {
+    if (best.empty())
+    {
       best = cut(start);
       part_where_it_closes(best);
     }
@@ -392,15 +408,18 @@ private:
   void join_chains_of_arcs(std::vector<Curve_piece>& pieces) const
   {
     std::vector<Curve_piece> result;
-    for (std::size_t k = 0; k < pieces.size();) {
-      if (pieces[k].is_line()) {
+    for (std::size_t k = 0; k < pieces.size();)
+    {
+      if (pieces[k].is_line())
+      {
         result.push_back(pieces[k++]);
         continue;
       }
       std::size_t end = k, arcs = 0, on_arcs = 0;
       Curve_piece joined;
       joined.first = pieces[k].first;
-      for (; end < pieces.size() && !pieces[end].is_line(); ++end) {
+      for (; end < pieces.size() && !pieces[end].is_line(); ++end)
+      {
         joined.size += pieces[end].size;
         arcs += bool(pieces[end].fit);
         on_arcs += pieces[end].fit ? pieces[end].size : 0;
@@ -418,10 +437,12 @@ private:
   void join_arcs(std::vector<Curve_piece>& pieces) const
   {
     std::vector<Curve_piece> result;
-    for (std::size_t k = 0; k < pieces.size();) {
+    for (std::size_t k = 0; k < pieces.size();)
+    {
       std::size_t end = k, size = 0;
       double total = 0.;
-      for (; end < pieces.size() && !pieces[end].is_line(); ++end) {
+      for (; end < pieces.size() && !pieces[end].is_line(); ++end)
+      {
         size += pieces[end].size;
         total += cost(pieces[end]);
       }

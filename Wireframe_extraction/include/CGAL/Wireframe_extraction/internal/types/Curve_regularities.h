@@ -25,7 +25,13 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-enum class Regularity_kind { EQUAL_RADII, COAXIAL, PARALLEL, ORTHOGONAL };
+enum class Regularity_kind
+{
+  EQUAL_RADII,
+  COAXIAL,
+  PARALLEL,
+  ORTHOGONAL
+};
 
 // What two lines or circles seem to have been designed as; the first one is the more certain of them.
 struct Regularity
@@ -59,10 +65,12 @@ public:
     std::vector<Regularity> result;
     const auto is_circle = [&](std::size_t i) { return m_curves[i].curve.kind == Primitive_kind::CIRCLE; };
     const auto has_direction = [&](std::size_t i) { return m_curves[i].curve.kind != Primitive_kind::ELLIPSE; };
-    group(Regularity_kind::EQUAL_RADII, is_circle, [&](std::size_t i) { return m_curves[i].radius_deviation; }, result);
-    group(Regularity_kind::COAXIAL, is_circle, [&](std::size_t i) { return m_curves[i].position_deviation; }, result);
-    const std::vector<std::size_t> leaders = group(Regularity_kind::PARALLEL, has_direction,
-                                                   [&](std::size_t i) { return m_curves[i].direction_deviation; }, result);
+    group(
+      Regularity_kind::EQUAL_RADII, is_circle, [&](std::size_t i) { return m_curves[i].radius_deviation; }, result);
+    group(
+      Regularity_kind::COAXIAL, is_circle, [&](std::size_t i) { return m_curves[i].position_deviation; }, result);
+    const std::vector<std::size_t> leaders = group(
+      Regularity_kind::PARALLEL, has_direction, [&](std::size_t i) { return m_curves[i].direction_deviation; }, result);
     for (std::size_t k = 1; k < leaders.size(); ++k)
       for (std::size_t j = 0; j < k; ++j)
         if (holds(Regularity_kind::ORTHOGONAL, leaders[j], leaders[k]))
@@ -78,11 +86,14 @@ private:
   {
     std::vector<std::size_t> order(m_curves.size()), leaders;
     std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return deviation(i) < deviation(j); });
-    for (const std::size_t i : order) {
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t i, std::size_t j) { return deviation(i) < deviation(j); });
+    for (const std::size_t i : order)
+    {
       if (!takes_part(i))
         continue;
-      const auto leader = std::find_if(leaders.begin(), leaders.end(), [&](std::size_t j) { return holds(kind, j, i); });
+      const auto leader =
+        std::find_if(leaders.begin(), leaders.end(), [&](std::size_t j) { return holds(kind, j, i); });
       if (leader == leaders.end())
         leaders.push_back(i);
       else
@@ -96,17 +107,17 @@ private:
     const Measured_curve &one = m_curves[i], &two = m_curves[j];
     const Vector &a = one.curve.axis, &b = two.curve.axis, offset = two.curve.center - one.curve.center;
     const double angle = bound(one.direction_deviation, two.direction_deviation, least_angle, most_angle);
-    switch (kind) {
+    switch (kind)
+    {
     case Regularity_kind::EQUAL_RADII:
       return std::abs(one.curve.major_radius - two.curve.major_radius)
         < bound(one.radius_deviation, two.radius_deviation, least_length, most_length);
     case Regularity_kind::COAXIAL:
-      return a.cross(b).norm() < angle && (offset - offset.dot(a) * a).norm()
+      return a.cross(b).norm() < angle
+        && (offset - offset.dot(a) * a).norm()
         < bound(one.position_deviation, two.position_deviation, least_length, most_length);
-    case Regularity_kind::PARALLEL:
-      return a.cross(b).norm() < angle;
-    case Regularity_kind::ORTHOGONAL:
-      return std::abs(a.dot(b)) < angle;
+    case Regularity_kind::PARALLEL: return a.cross(b).norm() < angle;
+    case Regularity_kind::ORTHOGONAL: return std::abs(a.dot(b)) < angle;
     }
     return false;
   }

@@ -30,16 +30,21 @@ namespace internal {
 // Where the field has a piece of a curve: the place, and how firmly it is held in each direction across the curve.
 struct Station
 {
-  double parameter = 0.;                                    // arc length along the curve that was followed
-  Vector position = Vector::Zero();                         // where the field has the curve
-  Vector followed = Vector::Zero();                         // where the curve that was followed is
-  Vector tangent = Vector::UnitX();                         // of the curve that was followed
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();    // inverse covariance of the position; 0 along the tangent
-  std::size_t support = 0;                                  // number of points
+  double parameter = 0.;                                 // arc length along the curve that was followed
+  Vector position = Vector::Zero();                      // where the field has the curve
+  Vector followed = Vector::Zero();                      // where the curve that was followed is
+  Vector tangent = Vector::UnitX();                      // of the curve that was followed
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero(); // inverse covariance of the position; 0 along the tangent
+  std::size_t support = 0;                               // number of points
 };
 
 // A point of the band and its foot on a curve.
-struct Curve_support { std::size_t point; double parameter; Vector foot; };
+struct Curve_support
+{
+  std::size_t point;
+  double parameter;
+  Vector foot;
+};
 
 // Follows polylines through the field and tells, about every 1.5 sampling distances, where the field has them. The
 // variance of a station is that of a single distance, which the noise level of the field tells, over the sum of its
@@ -61,14 +66,15 @@ public:
   {}
 
   // for each polyline the points nearest to it, except those beyond its ends
-  std::vector<std::vector<Curve_support> > find_support(const std::vector<std::vector<Vector> >& polylines) const
+  std::vector<std::vector<Curve_support>> find_support(const std::vector<std::vector<Vector>>& polylines) const
   {
-    std::vector<std::vector<double> > lengths;
+    std::vector<std::vector<double>> lengths;
     for (const std::vector<Vector>& polyline : polylines)
       lengths.push_back(arc_lengths(polyline));
     const std::vector<Polyline_foot> feet = nearest_feet(m_band, pointers_to(polylines), m_support_distance + 1.);
-    std::vector<std::vector<Curve_support> > support(polylines.size());
-    for (std::size_t i = 0; i < m_band.size(); ++i) {
+    std::vector<std::vector<Curve_support>> support(polylines.size());
+    for (std::size_t i = 0; i < m_band.size(); ++i)
+    {
       if (!feet[i].is_valid())
         continue;
       const std::size_t c = feet[i].curve;
@@ -86,14 +92,16 @@ public:
   {
     const std::vector<double> lengths = arc_lengths(polyline);
     const std::size_t count = (std::max)(std::size_t(1), static_cast<std::size_t>(lengths.back() / spacing));
-    std::vector<std::vector<const Curve_support*> > members(count);
-    for (const Curve_support& s : support) {
+    std::vector<std::vector<const Curve_support*>> members(count);
+    for (const Curve_support& s : support)
+    {
       const std::size_t i = static_cast<std::size_t>(s.parameter / lengths.back() * double(count));
       members[(std::min)(count - 1, i)].push_back(&s);
     }
     std::vector<Station> stations;
     Polyline_walk walk(polyline, lengths);
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < count; ++i)
+    {
       Station station;
       station.parameter = lengths.back() * (double(i) + 0.5) / double(count);
       station.position = walk.advance_to(station.parameter);
@@ -112,12 +120,14 @@ private:
     Eigen::Vector2d shift = Eigen::Vector2d::Zero();
     Eigen::Matrix2d normal_matrix = Eigen::Matrix2d::Zero();
     const double scale = 0.05 + 1.5 * m_noise;
-    for (int round = 0; round < 4; ++round) {
+    for (int round = 0; round < 4; ++round)
+    {
       normal_matrix.setZero();
       Eigen::Vector2d right_side = Eigen::Vector2d::Zero();
       station.support = 0;
       const Vector moved = shift[0] * across + shift[1] * up;
-      for (const Curve_support* member : members) {
+      for (const Curve_support* member : members)
+      {
         const Vector offset = m_band.points[member->point] - member->foot - moved;
         const double length = offset.norm(), d = m_band.distances[member->point], e = d - length;
         if (length < 1e-9 || std::abs(e) > residual_cutoff(m_noise))
@@ -139,8 +149,8 @@ private:
     station.position += shift[0] * across + shift[1] * up;
     Eigen::Matrix<double, 3, 2> frame;
     frame << across, up;
-    station.information = frame * normal_matrix * frame.transpose()
-      / (m_noise * m_noise + least_deviation * least_deviation);
+    station.information =
+      frame * normal_matrix * frame.transpose() / (m_noise * m_noise + least_deviation * least_deviation);
   }
 };
 

@@ -34,7 +34,7 @@ struct Untyped_curve
 {
   static constexpr std::size_t no_vertex = Primitive_edge::no_vertex;
 
-  std::vector<Vector> polyline;   // dense; of a closed curve the first point again at the end
+  std::vector<Vector> polyline; // dense; of a closed curve the first point again at the end
   std::array<std::size_t, 2> vertices{{no_vertex, no_vertex}};
   double number_of_parameters = 0.;
   bool is_closed_without_vertex() const { return vertices[0] == no_vertex; }
@@ -46,14 +46,14 @@ struct Typed_piece
 {
   static constexpr std::size_t no_vertex = Primitive_edge::no_vertex;
 
-  std::size_t curve = 0;                    // the one that it is a piece of
-  std::array<double, 2> range{{0., 0.}};    // of arc lengths on that one's polyline; may pass the end of a closed one
+  std::size_t curve = 0;                 // the one that it is a piece of
+  std::array<double, 2> range{{0., 0.}}; // of arc lengths on that one's polyline; may pass the end of a closed one
   bool is_whole = true;
   std::array<std::size_t, 2> vertices{{no_vertex, no_vertex}};
   bool is_primitive = false;
   Primitive_curve shape;
-  Vector middle = Vector::Zero();           // a point about half way, which tells in what direction a shape is run through
-  std::array<Vector, 2> end_tangents{{Vector::Zero(), Vector::Zero()}};   // that a spline has to take on, if not zero
+  Vector middle = Vector::Zero(); // a point about half way, which tells in what direction a shape is run through
+  std::array<Vector, 2> end_tangents{{Vector::Zero(), Vector::Zero()}}; // that a spline has to take on, if not zero
   double position_deviation = 0., direction_deviation = 0., major_radius_deviation = 0., minor_radius_deviation = 0.;
   double root_mean_square = 0., maximum_deviation = 0.;
   std::size_t support = 0;
@@ -64,7 +64,7 @@ class Curve_type_recognizer
 {
   // a cut does not become a tangent join where the pieces meet at a larger angle
   static constexpr double most_tangent_angle = 15. * CGAL_PI / 180.;
-  static constexpr double most_kink = 8. * CGAL_PI / 180.;   // and none is left where they do not become tangent
+  static constexpr double most_kink = 8. * CGAL_PI / 180.; // and none is left where they do not become tangent
   // the tangent of a spline may change by that much from the cut to its first station
   static constexpr double most_spline_turn = 85. * CGAL_PI / 180.;
 
@@ -73,25 +73,29 @@ class Curve_type_recognizer
     std::vector<Station> stations;
     double length = 0.;
     std::vector<Curve_piece> pieces;
-    std::vector<std::size_t> vertices;      // before each piece, and after the last
-    std::vector<char> is_tangent;           // whether the join before each piece may be tangent
-    bool is_closed = false;                 // and free of vertices, but for cuts
+    std::vector<std::size_t> vertices; // before each piece, and after the last
+    std::vector<char> is_tangent;      // whether the join before each piece may be tangent
+    bool is_closed = false;            // and free of vertices, but for cuts
   };
 
   const Field_band& m_band;
   const double m_noise, m_support_distance, m_significance;
   const bool m_is_regularized;
   const std::vector<Untyped_curve>& m_curves;
-  std::vector<std::vector<Curve_support> > m_support;
+  std::vector<std::vector<Curve_support>> m_support;
   std::vector<Candidate> m_candidates;
   std::vector<Vector> m_anchors, m_vertices;
-  std::vector<Regularity> m_regularities;   // of the pieces
+  std::vector<Regularity> m_regularities; // of the pieces
 
-  struct Edge_of_piece { std::size_t curve, piece; };
+  struct Edge_of_piece
+  {
+    std::size_t curve, piece;
+  };
 
 public:
   Curve_type_recognizer(const Field_band& band, double noise, double support_distance, double significance,
-                        bool is_regularized, const std::vector<Vector>& vertices, const std::vector<Untyped_curve>& curves)
+                        bool is_regularized, const std::vector<Vector>& vertices,
+                        const std::vector<Untyped_curve>& curves)
     : m_band(band), m_noise(noise), m_support_distance(support_distance), m_significance(significance),
       m_is_regularized(is_regularized), m_curves(curves), m_anchors(vertices), m_vertices(vertices)
   {}
@@ -102,20 +106,24 @@ public:
   std::vector<Typed_piece> run()
   {
     const Curve_stations stations(m_band, m_noise, m_support_distance);
-    std::vector<std::vector<Vector> > polylines;
+    std::vector<std::vector<Vector>> polylines;
     for (const Untyped_curve& curve : m_curves)
       polylines.push_back(curve.polyline);
     m_support = stations.find_support(polylines);
     m_candidates.resize(m_curves.size());
-    for_each_piece(m_curves.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t c = begin; c < end; ++c)
-        m_candidates[c] = cut(m_curves[c], stations.run(polylines[c], m_support[c]));
-    }, 1);
+    for_each_piece(
+      m_curves.size(),
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t c = begin; c < end; ++c)
+          m_candidates[c] = cut(m_curves[c], stations.run(polylines[c], m_support[c]));
+      },
+      1);
     for (std::size_t c = 0; c < m_curves.size(); ++c)
       place_vertices(m_curves[c], m_candidates[c]);
     std::vector<Typed_piece> result;
     // each round leaves fewer tangencies or primitives
-    while (!fit(result)) {}
+    while (!fit(result))
+    {}
     return result;
   }
 
@@ -130,7 +138,8 @@ private:
     // no spline can use more parameters than there are observations
     const double density = (std::min)(1., curve.number_of_parameters / double(result.stations.size()));
     result.pieces = Curve_cutter(result.stations, density, {{curve.polyline.front(), curve.polyline.back()}},
-                                 curve.is_closed_without_vertex(), m_significance).run();
+                                 curve.is_closed_without_vertex(), m_significance)
+                      .run();
     result.is_closed = curve.is_closed_without_vertex();
     if (curve.is_loop() && result.pieces.size() == 1 && result.pieces[0].is_line())
       result.pieces[0].fit.reset();
@@ -154,7 +163,8 @@ private:
   static void loosen_ends(std::vector<Station>& stations, double length)
   {
     constexpr double reach = 3., most_deviation = 0.1;
-    for (Station& station : stations) {
+    for (Station& station : stations)
+    {
       const double distance = (std::min)(station.parameter, length - station.parameter);
       const double deviation = most_deviation * (std::max)(0., 1. - distance / reach);
       // where there is most information, its inverse grows by the variance
@@ -171,7 +181,8 @@ private:
         pieces.back().size += piece.size;
       else
         pieces.push_back(piece);
-    if (candidate.is_closed && pieces.size() > 1 && !pieces.front().fit && !pieces.back().fit) {
+    if (candidate.is_closed && pieces.size() > 1 && !pieces.front().fit && !pieces.back().fit)
+    {
       pieces.back().size += pieces.front().size;
       pieces.erase(pieces.begin());
     }
@@ -211,16 +222,19 @@ private:
     Primitive_network_fit network;
     network.vertices = m_anchors;
     std::vector<Edge_of_piece> places;
-    std::vector<std::vector<std::size_t> > edges(m_candidates.size());
+    std::vector<std::vector<std::size_t>> edges(m_candidates.size());
     for (std::size_t c = 0; c < m_candidates.size(); ++c)
-      for (std::size_t i = 0; i < m_candidates[c].pieces.size(); ++i) {
+      for (std::size_t i = 0; i < m_candidates[c].pieces.size(); ++i)
+      {
         edges[c].push_back(network.edges.size());
-        if (is_in_network(c, i)) {
+        if (is_in_network(c, i))
+        {
           network.edges.push_back(make_edge(m_candidates[c], i));
           places.push_back({c, i});
         }
       }
-    for (std::size_t c = 0; c < m_candidates.size(); ++c) {
+    for (std::size_t c = 0; c < m_candidates.size(); ++c)
+    {
       add_tangencies(c, edges[c], network);
       add_spline_ends(c, network);
     }
@@ -239,7 +253,8 @@ private:
   void regularize(Primitive_network_fit& network, const std::vector<Edge_of_piece>& places)
   {
     std::vector<Measured_curve> curves;
-    for (std::size_t k = 0; k < places.size(); ++k) {
+    for (std::size_t k = 0; k < places.size(); ++k)
+    {
       Typed_piece piece;
       const Candidate& candidate = m_candidates[places[k].curve];
       set_deviations(candidate, candidate.pieces[places[k].piece], piece);
@@ -248,19 +263,23 @@ private:
     }
     const Primitive_network_fit kept = network;
     std::vector<Regularity> regularities = Regularity_finder(curves).run();
-    while (!regularities.empty()) {
+    while (!regularities.empty())
+    {
       network = kept;
       network.regularities = regularities;
       network.run();
       std::vector<char> is_contradicted(places.size(), 0);
       for (std::size_t k = 0; k < places.size(); ++k)
-        is_contradicted[k] = network.is_violated(k) || !is_supported(network.edges[k].curve(network.vertices), network, network.edges[k],
-                                           m_candidates[places[k].curve], places[k].piece);
-      const auto first_bad = std::remove_if(regularities.begin(), regularities.end(), [&](const Regularity& regularity) {
-        return is_contradicted[regularity.curves[0]] || is_contradicted[regularity.curves[1]];
-      });
+        is_contradicted[k] = network.is_violated(k)
+          || !is_supported(network.edges[k].curve(network.vertices), network, network.edges[k],
+                           m_candidates[places[k].curve], places[k].piece);
+      const auto first_bad =
+        std::remove_if(regularities.begin(), regularities.end(), [&](const Regularity& regularity) {
+          return is_contradicted[regularity.curves[0]] || is_contradicted[regularity.curves[1]];
+        });
       const bool is_done = std::find(is_contradicted.begin(), is_contradicted.end(), 1) == is_contradicted.end();
-      if (is_done || first_bad == regularities.end()) {
+      if (is_done || first_bad == regularities.end())
+      {
         if (!is_done)
           regularities.clear();
         break;
@@ -273,7 +292,8 @@ private:
   }
 
   // with indices of pieces in the order in which they are written, in place of those of edges
-  std::vector<Regularity> of_pieces(std::vector<Regularity> regularities, const std::vector<Edge_of_piece>& places) const
+  std::vector<Regularity> of_pieces(std::vector<Regularity> regularities,
+                                    const std::vector<Edge_of_piece>& places) const
   {
     std::vector<std::size_t> first(1, 0);
     for (const Candidate& candidate : m_candidates)
@@ -290,7 +310,8 @@ private:
     const Primitive_curve& curve = piece.fit->curve;
     const Station_range stations = range(candidate, piece);
     const auto point = [&](double share) {
-      return curve.foot(stations[(std::min)(stations.size() - 1, std::size_t(share * double(stations.size())))].position);
+      return curve.foot(
+        stations[(std::min)(stations.size() - 1, std::size_t(share * double(stations.size())))].position);
     };
     Primitive_edge edge;
     edge.kind = curve.kind;
@@ -312,7 +333,8 @@ private:
   {
     const Candidate& candidate = m_candidates[c];
     const std::size_t n = candidate.pieces.size();
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < n; ++i)
+    {
       const std::size_t before = (i + n - 1) % n;
       if (candidate.is_tangent[i] && candidate.pieces[i].fit && candidate.pieces[before].fit
           && are_tangent(candidate, before, i))
@@ -332,28 +354,31 @@ private:
   void add_spline_ends(std::size_t c, Primitive_network_fit& network) const
   {
     const Candidate& candidate = m_candidates[c];
-    for (std::size_t i = 0; i < candidate.pieces.size(); ++i) {
+    for (std::size_t i = 0; i < candidate.pieces.size(); ++i)
+    {
       if (candidate.pieces[i].fit || candidate.vertices[i] == Untyped_curve::no_vertex)
         continue;
       const Station_range stations = range(candidate, candidate.pieces[i]);
       const double deviation = (std::max)(0.05, 2. * m_noise);
-      for (int e = 0; e < 2; ++e) {
+      for (int e = 0; e < 2; ++e)
+      {
         const std::size_t vertex = candidate.vertices[i + std::size_t(e)];
-        network.spline_ends.push_back({vertex, m_anchors[vertex],
-                                       (e == 0 ? stations[0] : stations[stations.size() - 1]).tangent, deviation});
+        network.spline_ends.push_back(
+          {vertex, m_anchors[vertex], (e == 0 ? stations[0] : stations[stations.size() - 1]).tangent, deviation});
       }
     }
   }
 
   // Gives up what does not go together: tangencies first, then primitives. Returns whether there was such a thing.
   bool take_back(Primitive_network_fit& network, const std::vector<Edge_of_piece>& places,
-                 const std::vector<std::vector<std::size_t> >& edges)
+                 const std::vector<std::vector<std::size_t>>& edges)
   {
     bool is_changed = false;
-    std::vector<std::vector<char> > were_tangent;   // before this round: the order of the edges must not matter
+    std::vector<std::vector<char>> were_tangent; // before this round: the order of the edges must not matter
     for (const Candidate& candidate : m_candidates)
       were_tangent.push_back(candidate.is_tangent);
-    for (std::size_t k = 0; k < places.size(); ++k) {
+    for (std::size_t k = 0; k < places.size(); ++k)
+    {
       Candidate& candidate = m_candidates[places[k].curve];
       const std::vector<char>& was_tangent = were_tangent[places[k].curve];
       const std::size_t i = places[k].piece, n = candidate.pieces.size();
@@ -374,20 +399,26 @@ private:
   }
 
   // Of two pieces that are no longer tangent where a smooth curve was cut, the shorter one is no primitive.
-  bool take_back_kinks(Primitive_network_fit& network, const std::vector<std::vector<std::size_t> >& edges)
+  bool take_back_kinks(Primitive_network_fit& network, const std::vector<std::vector<std::size_t>>& edges)
   {
     bool is_changed = false;
-    for (std::size_t c = 0; c < m_candidates.size(); ++c) {
+    for (std::size_t c = 0; c < m_candidates.size(); ++c)
+    {
       const Candidate& candidate = m_candidates[c];
       std::vector<Curve_piece>& pieces = m_candidates[c].pieces;
-      for (std::size_t i = 0; i < pieces.size(); ++i) {
+      for (std::size_t i = 0; i < pieces.size(); ++i)
+      {
         const std::size_t before = (i + pieces.size() - 1) % pieces.size();
         if (!is_cut(candidate, i) || !pieces[i].fit || !pieces[before].fit)
           continue;
         const Vector& place = network.vertices[candidate.vertices[i]];
-        const double sine = network.edges[edges[c][i]].curve(network.vertices).tangent(place)
-          .cross(network.edges[edges[c][before]].curve(network.vertices).tangent(place)).norm();
-        if (sine > std::sin(most_kink)) {
+        const double sine = network.edges[edges[c][i]]
+                              .curve(network.vertices)
+                              .tangent(place)
+                              .cross(network.edges[edges[c][before]].curve(network.vertices).tangent(place))
+                              .norm();
+        if (sine > std::sin(most_kink))
+        {
           pieces[pieces[i].size < pieces[before].size ? i : before].fit.reset();
           is_changed = true;
         }
@@ -407,20 +438,23 @@ private:
     Candidate& candidate = m_candidates[c];
     std::vector<Curve_piece>& pieces = candidate.pieces;
     for (std::size_t i = pieces.size() - 1; i > 0; --i)
-      if (!pieces[i].fit && !pieces[i - 1].fit) {
+      if (!pieces[i].fit && !pieces[i - 1].fit)
+      {
         pieces[i - 1].size += pieces[i].size;
         pieces.erase(pieces.begin() + long(i));
         candidate.vertices.erase(candidate.vertices.begin() + long(i));
         candidate.is_tangent.erase(candidate.is_tangent.begin() + long(i));
       }
-    if (candidate.is_closed && pieces.size() > 1 && !pieces.front().fit && !pieces.back().fit) {
+    if (candidate.is_closed && pieces.size() > 1 && !pieces.front().fit && !pieces.back().fit)
+    {
       pieces.back().size += pieces.front().size;
       pieces.erase(pieces.begin());
       candidate.vertices.erase(candidate.vertices.begin());
       candidate.vertices.back() = candidate.vertices.front();
       candidate.is_tangent.erase(candidate.is_tangent.begin());
     }
-    if (pieces.size() == 1 && !pieces[0].fit) {
+    if (pieces.size() == 1 && !pieces[0].fit)
+    {
       pieces[0].first = 0;
       candidate.vertices = {m_curves[c].vertices[0], m_curves[c].vertices[1]};
       candidate.is_tangent = {0};
@@ -438,24 +472,30 @@ private:
     if (!edge.is_loop() && !((network.vertices[edge.vertices[0]] - network.vertices[edge.vertices[1]]).norm() > 1e-3))
       return false;
     return curve.is_finite() && (curve.kind == Primitive_kind::LINE || curve.minor_radius > 1e-3)
-      && Primitive_fit::misfit_of(curve, range(candidate, candidate.pieces[i])).probability(curve.number_of_parameters())
-         >= m_significance;
+      && Primitive_fit::misfit_of(curve, range(candidate, candidate.pieces[i]))
+           .probability(curve.number_of_parameters())
+      >= m_significance;
   }
 
-  void write(Primitive_network_fit& network, const std::vector<std::vector<std::size_t> >& edges,
+  void write(Primitive_network_fit& network, const std::vector<std::vector<std::size_t>>& edges,
              std::vector<Typed_piece>& result) const
   {
-    for (std::size_t c = 0; c < m_candidates.size(); ++c) {
+    for (std::size_t c = 0; c < m_candidates.size(); ++c)
+    {
       const Candidate& candidate = m_candidates[c];
-      for (std::size_t i = 0; i < candidate.pieces.size(); ++i) {
+      for (std::size_t i = 0; i < candidate.pieces.size(); ++i)
+      {
         Typed_piece piece = outline(c, i);
-        if (candidate.pieces[i].fit) {
+        if (candidate.pieces[i].fit)
+        {
           piece.is_primitive = true;
-          piece.shape = is_in_network(c, i) ? network.edges[edges[c][i]].curve(network.vertices)
-                                            : candidate.pieces[i].fit->curve;
+          piece.shape =
+            is_in_network(c, i) ? network.edges[edges[c][i]].curve(network.vertices) : candidate.pieces[i].fit->curve;
           set_deviations(candidate, candidate.pieces[i], piece);
           measure(piece);
-        } else if (!piece.is_whole) {
+        }
+        else if (!piece.is_whole)
+        {
           set_end_tangents(candidate, i, network, edges[c], piece);
           measure(piece);
         }
@@ -488,7 +528,8 @@ private:
         variance += covariance(i, i) / Misfit::share_of_independent;
       return variance > 0. && std::isfinite(variance) ? std::sqrt(variance) : 0.;
     };
-    switch (fit.curve.kind) {
+    switch (fit.curve.kind)
+    {
     case Primitive_kind::LINE:
       piece.position_deviation = deviation({0, 1});
       piece.direction_deviation = deviation({2, 3});
@@ -512,7 +553,8 @@ private:
   {
     const std::size_t n = candidate.pieces.size();
     const Station_range stations = range(candidate, candidate.pieces[i]);
-    for (const bool is_end : {false, true}) {
+    for (const bool is_end : {false, true})
+    {
       const std::size_t neighbor = is_end ? (i + 1) % n : (i + n - 1) % n;
       if (!is_cut(candidate, is_end ? neighbor : i) || !candidate.pieces[neighbor].fit)
         continue;
@@ -531,7 +573,8 @@ private:
   {
     const double cutoff = residual_cutoff(m_noise), length = m_candidates[piece.curve].length;
     double squares = 0.;
-    for (const Curve_support& s : m_support[piece.curve]) {
+    for (const Curve_support& s : m_support[piece.curve])
+    {
       const bool is_inside = (s.parameter >= piece.range[0] && s.parameter < piece.range[1])
         || (s.parameter + length >= piece.range[0] && s.parameter + length < piece.range[1]);
       if (!is_inside)

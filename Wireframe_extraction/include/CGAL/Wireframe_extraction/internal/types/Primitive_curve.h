@@ -25,7 +25,12 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-enum class Primitive_kind { LINE, CIRCLE, ELLIPSE };
+enum class Primitive_kind
+{
+  LINE,
+  CIRCLE,
+  ELLIPSE
+};
 
 // A whole line, circle or ellipse in space.
 struct Primitive_curve
@@ -34,8 +39,8 @@ struct Primitive_curve
 
   Primitive_kind kind = Primitive_kind::LINE;
   Vector center = Vector::Zero();
-  Vector axis = Vector::UnitZ();    // of a line its direction, else the normal of the plane
-  Vector major = Vector::UnitX();   // orthogonal to the axis; without meaning for a line
+  Vector axis = Vector::UnitZ();  // of a line its direction, else the normal of the plane
+  Vector major = Vector::UnitX(); // orthogonal to the axis; without meaning for a line
   double major_radius = 0., minor_radius = 0.;
 
   static Primitive_curve line(const Vector& from, const Vector& to)
@@ -77,10 +82,7 @@ struct Primitive_curve
     return result;
   }
 
-  int number_of_parameters() const
-  {
-    return kind == Primitive_kind::LINE ? 4 : kind == Primitive_kind::CIRCLE ? 6 : 8;
-  }
+  int number_of_parameters() const { return kind == Primitive_kind::LINE ? 4 : kind == Primitive_kind::CIRCLE ? 6 : 8; }
 
   bool is_finite() const
   {
@@ -130,21 +132,24 @@ struct Primitive_curve
   Primitive_curve moved(const double* step) const
   {
     Primitive_curve result = *this;
-    if (kind == Primitive_kind::LINE) {
+    if (kind == Primitive_kind::LINE)
+    {
       const Vector u = axis.unitOrthogonal(), v = axis.cross(u);
       result.center += step[0] * u + step[1] * v;
       result.axis = (axis + step[2] * u + step[3] * v).normalized();
       return result;
     }
-    const Vector rotation = kind == Primitive_kind::CIRCLE ? Vector(step[3] * major + step[4] * minor())
-                                                           : Vector(step[3] * major + step[4] * minor() + step[5] * axis);
+    const Vector rotation = kind == Primitive_kind::CIRCLE
+      ? Vector(step[3] * major + step[4] * minor())
+      : Vector(step[3] * major + step[4] * minor() + step[5] * axis);
     result.center += Vector(step[0], step[1], step[2]);
     result.axis = (axis + rotation.cross(axis)).normalized();
     result.major = major + rotation.cross(major);
     result.major = (result.major - result.major.dot(result.axis) * result.axis).normalized();
     if (kind == Primitive_kind::CIRCLE)
       result.major_radius = result.minor_radius = std::abs(major_radius + step[5]);
-    else {
+    else
+    {
       result.major_radius = std::abs(major_radius + step[6]);
       result.minor_radius = std::abs(minor_radius + step[7]);
     }
@@ -156,7 +161,8 @@ struct Primitive_curve
   void foot_derivatives(const Vector& p, Matrix& columns) const
   {
     const Vector offset = p - center;
-    if (kind == Primitive_kind::LINE) {
+    if (kind == Primitive_kind::LINE)
+    {
       const Vector u = axis.unitOrthogonal(), v = axis.cross(u);
       const double along = offset.dot(axis);
       columns.col(0) = u;
@@ -169,11 +175,12 @@ struct Primitive_curve
     const double length = (std::max)(in_plane.norm(), 1e-12), ratio = major_radius / length;
     const Vector outward = in_plane / length;
     const auto turned = [&](const Vector& change) { return Vector(ratio * (change - outward.dot(change) * outward)); };
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k)
+    {
       const Vector unit = Vector::Unit(k);
       columns.col(k) = unit - turned(unit - axis[k] * axis);
     }
-    const Vector tilts[2] = {major.cross(axis), minor().cross(axis)};     // changes of the axis
+    const Vector tilts[2] = {major.cross(axis), minor().cross(axis)}; // changes of the axis
     for (int k = 0; k < 2; ++k)
       columns.col(3 + k) = turned(-offset.dot(tilts[k]) * axis - offset.dot(axis) * tilts[k]);
     columns.col(5) = outward;
@@ -186,7 +193,8 @@ private:
     const double a = major_radius, b = minor_radius, u = std::abs(x), v = std::abs(y);
     // in the first quadrant, a u sin - b v cos - (a^2 - b^2) sin cos changes its sign once
     double low = 0., high = 0.5 * CGAL_PI, angle = std::atan2(a * v, b * u);
-    for (int i = 0; i < 60 && high - low > 1e-15; ++i) {
+    for (int i = 0; i < 60 && high - low > 1e-15; ++i)
+    {
       const double c = std::cos(angle), s = std::sin(angle);
       const double value = a * u * s - b * v * c - (a * a - b * b) * s * c;
       const double slope = a * u * c + b * v * s - (a * a - b * b) * (c * c - s * s);

@@ -44,8 +44,10 @@ struct Primitive_edge
     std::vector<double*> result;
     if (kind != Primitive_kind::ELLIPSE && has_vertex())
       result.push_back(positions[vertices[0]].data());
-    const std::size_t own = kind == Primitive_kind::LINE ? 0 : kind == Primitive_kind::ELLIPSE || !has_vertex() ? 3
-                            : is_loop() ? 2 : 1;
+    const std::size_t own = kind == Primitive_kind::LINE ? 0
+      : kind == Primitive_kind::ELLIPSE || !has_vertex() ? 3
+      : is_loop()                                        ? 2
+                                                         : 1;
     for (std::size_t i = 0; i < own; ++i)
       result.push_back(points[i].data());
     if (kind != Primitive_kind::ELLIPSE && has_vertex() && !is_loop())

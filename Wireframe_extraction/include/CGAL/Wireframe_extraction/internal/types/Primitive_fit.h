@@ -50,7 +50,7 @@ class Misfit
   std::size_t m_size = 0;
 
 public:
-  static constexpr double cap = 16.;    // what is farther off than four standard deviations is an outlier
+  static constexpr double cap = 16.; // what is farther off than four standard deviations is an outlier
   // Neighboring stations share errors of the field: about half as many are independent.
   static constexpr double share_of_independent = 0.5;
 
@@ -62,7 +62,7 @@ public:
   }
 
   double capped() const { return m_capped; }
-  double robust() const { return m_robust; }    // what fits minimize
+  double robust() const { return m_robust; } // what fits minimize
 
   // the probability that the field errs that much or more if the curve is the true one
   double probability(int number_of_parameters) const
@@ -95,7 +95,8 @@ class Primitive_fit
 
 public:
   typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Primitive_curve::most_parameters,
-                        Primitive_curve::most_parameters> Covariance;
+                        Primitive_curve::most_parameters>
+    Covariance;
 
   Primitive_curve curve;
   Misfit misfit;
@@ -154,7 +155,8 @@ private:
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments);
     const Eigen::Matrix3d axes = solver.eigenvectors();
     curve.center = mean;
-    if (curve.kind == Primitive_kind::LINE) {
+    if (curve.kind == Primitive_kind::LINE)
+    {
       curve.axis = axes.col(2);
       return true;
     }
@@ -164,7 +166,8 @@ private:
     if (!(scale > 1e-9))
       return false;
     std::vector<Eigen::Vector2d> plane;
-    for (std::size_t i = 0; i < stations.size(); ++i) {
+    for (std::size_t i = 0; i < stations.size(); ++i)
+    {
       const Vector offset = (stations[i].position - mean) / scale;
       plane.emplace_back(offset.dot(curve.major), offset.dot(curve.minor()));
     }
@@ -176,7 +179,8 @@ private:
   {
     Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
     Vector right_side = Vector::Zero();
-    for (const Eigen::Vector2d& p : points) {
+    for (const Eigen::Vector2d& p : points)
+    {
       const Vector row(p.x(), p.y(), 1.);
       matrix += row * row.transpose();
       right_side += p.squaredNorm() * row;
@@ -195,7 +199,8 @@ private:
   bool start_ellipse(const std::vector<Eigen::Vector2d>& points, double scale)
   {
     Eigen::Matrix3d s1 = Eigen::Matrix3d::Zero(), s2 = s1, s3 = s1;
-    for (const Eigen::Vector2d& p : points) {
+    for (const Eigen::Vector2d& p : points)
+    {
       const Vector quadratic(p.x() * p.x(), p.x() * p.y(), p.y() * p.y()), linear(p.x(), p.y(), 1.);
       s1 += quadratic * quadratic.transpose();
       s2 += quadratic * linear.transpose();
@@ -221,11 +226,11 @@ private:
   bool set_ellipse(const Vector& quadratic, const Vector& linear, double scale)
   {
     const double a = quadratic[0], b = 0.5 * quadratic[1], c = quadratic[2], determinant = a * c - b * b;
-    const Eigen::Vector2d center = Eigen::Vector2d(b * linear[1] - c * linear[0], b * linear[0] - a * linear[1])
-      / (2. * determinant);
+    const Eigen::Vector2d center =
+      Eigen::Vector2d(b * linear[1] - c * linear[0], b * linear[0] - a * linear[1]) / (2. * determinant);
     const double level = -(linear[2] + 0.5 * (linear[0] * center.x() + linear[1] * center.y()));
     const double mean = 0.5 * (a + c), difference = std::hypot(0.5 * (a - c), b);
-    const double one = level / (mean - difference), two = level / (mean + difference);   // squares of the radii
+    const double one = level / (mean - difference), two = level / (mean + difference); // squares of the radii
     if (!(determinant > 0.) || !(one > 0.) || !(two > 0.) || !std::isfinite(one) || !std::isfinite(two))
       return false;
     place(center, scale);
@@ -247,13 +252,15 @@ private:
   bool minimize(const Station_range& stations, double least_probability)
   {
     static constexpr std::size_t few = 48;
-    if (stations.size() > 3 * few) {
+    if (stations.size() > 3 * few)
+    {
       minimize(stations, stations.size() / few);
       if (misfit.probability(curve.number_of_parameters()) < 1e-6 * least_probability)
         return false;
     }
     minimize(stations, std::size_t(1));
-    if (curve.kind == Primitive_kind::ELLIPSE && curve.major_radius < curve.minor_radius) {
+    if (curve.kind == Primitive_kind::ELLIPSE && curve.major_radius < curve.minor_radius)
+    {
       curve.major = curve.minor();
       std::swap(curve.major_radius, curve.minor_radius);
     }
@@ -266,7 +273,8 @@ private:
     const int n = curve.number_of_parameters();
     misfit = misfit_of(curve, stations, stride);
     double damping = 1e-6;
-    for (int round = 0; round < 30; ++round) {
+    for (int round = 0; round < 30; ++round)
+    {
       Covariance matrix;
       Parameters gradient;
       linearize(stations, stride, matrix, gradient);
@@ -276,14 +284,17 @@ private:
       const Parameters step = -damped.ldlt().solve(gradient);
       const Primitive_curve candidate = curve.moved(step.data());
       const Misfit next = candidate.is_finite() ? misfit_of(candidate, stations, stride) : Misfit();
-      if (candidate.is_finite() && next.robust() <= misfit.robust()) {
+      if (candidate.is_finite() && next.robust() <= misfit.robust())
+      {
         const bool is_done = misfit.robust() - next.robust() <= 1e-6 * misfit.robust() + 1e-9;
         curve = candidate;
         misfit = next;
         damping = (std::max)(1e-9, 0.1 * damping);
         if (is_done)
           break;
-      } else {
+      }
+      else
+      {
         damping *= 10.;
         if (damping > 1e6)
           break;
@@ -298,13 +309,15 @@ private:
     gradient = Parameters::Zero(n);
     const Foot_derivatives derivatives(curve);
     Eigen::Matrix<double, 3, most> jacobian;
-    for (std::size_t k = 0; k < stations.size(); k += stride) {
+    for (std::size_t k = 0; k < stations.size(); k += stride)
+    {
       const Station& station = stations[k];
       const Vector residual = curve.foot(station.position) - station.position;
       const Vector pull = station.information * residual;
       const double weight = Misfit::weight(residual.dot(pull));
       derivatives.at(station.position, jacobian);
-      for (int i = 0; i < n; ++i) {
+      for (int i = 0; i < n; ++i)
+      {
         gradient[i] += weight * jacobian.col(i).dot(pull);
         const Vector column = weight * station.information * jacobian.col(i);
         for (int j = i; j < n; ++j)
@@ -327,7 +340,8 @@ private:
     explicit Foot_derivatives(const Primitive_curve& curve) : m_curve(curve)
     {
       const int n = m_curve.number_of_parameters();
-      for (int i = 0; i < n && m_curve.kind == Primitive_kind::ELLIPSE; ++i) {
+      for (int i = 0; i < n && m_curve.kind == Primitive_kind::ELLIPSE; ++i)
+      {
         Parameters step = Parameters::Zero(n);
         step[i] = h;
         m_ahead[i] = m_curve.moved(step.data());

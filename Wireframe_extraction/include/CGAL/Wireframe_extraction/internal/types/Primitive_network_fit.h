@@ -36,15 +36,24 @@ class Primitive_network_fit
 {
 public:
   // a spline that ends in a vertex keeps it on its tangent, as firmly as the field kept the spline
-  struct Spline_end { std::size_t vertex; Vector position, tangent; double deviation; };
+  struct Spline_end
+  {
+    std::size_t vertex;
+    Vector position, tangent;
+    double deviation;
+  };
   // two edges that go on into each other at a vertex
-  struct Tangency { std::size_t vertex; std::array<std::size_t, 2> edges; };
+  struct Tangency
+  {
+    std::size_t vertex;
+    std::array<std::size_t, 2> edges;
+  };
 
   std::vector<Vector> vertices;
   std::vector<Primitive_edge> edges;
   std::vector<Spline_end> spline_ends;
   std::vector<Tangency> tangencies;
-  std::vector<Regularity> regularities;     // of edges
+  std::vector<Regularity> regularities; // of edges
 
   // whether an edge does not meet what has to hold exactly
   bool is_violated(std::size_t edge) const { return edge < m_is_violated.size() && m_is_violated[edge]; }
@@ -61,10 +70,13 @@ public:
     std::vector<Vector> multipliers(constraints.size(), Vector::Zero());
     double weight = 1e4;
     solve(anchors, constraints, multipliers, 0.);
-    for (int round = 0; round < (constraints.empty() ? 0 : most_rounds); ++round, weight = (std::min)(1e8, 10. * weight)) {
+    for (int round = 0; round < (constraints.empty() ? 0 : most_rounds);
+         ++round, weight = (std::min)(1e8, 10. * weight))
+    {
       solve(anchors, constraints, multipliers, weight);
       double worst = 0.;
-      for (std::size_t i = 0; i < constraints.size(); ++i) {
+      for (std::size_t i = 0; i < constraints.size(); ++i)
+      {
         const Vector value = constraints[i].function(constraints[i].blocks.data());
         multipliers[i] += weight * value;
         worst = (std::max)(worst, value.norm());
@@ -83,7 +95,7 @@ private:
   static constexpr double most_violation = 1e-6;
 
   std::vector<char> m_is_violated;
-  std::vector<Eigen::Matrix3d> m_roots;   // of the information of all stations, edge after edge
+  std::vector<Eigen::Matrix3d> m_roots; // of the information of all stations, edge after edge
 
   struct Constraint
   {
@@ -96,7 +108,8 @@ private:
   static std::vector<std::size_t> enter(const std::vector<double*>& blocks, std::vector<double*>& all)
   {
     std::vector<std::size_t> indices;
-    for (double* block : blocks) {
+    for (double* block : blocks)
+    {
       const auto found = std::find(all.begin(), all.end(), block);
       indices.push_back(std::size_t(found - all.begin()));
       if (found == all.end())
@@ -109,7 +122,7 @@ private:
   struct Edge_curve
   {
     Primitive_kind kind;
-    std::vector<std::size_t> indices;   // of the edge's blocks among those of the constraint
+    std::vector<std::size_t> indices; // of the edge's blocks among those of the constraint
 
     Primitive_curve operator()(double const* const* blocks) const
     {
@@ -131,7 +144,8 @@ private:
     std::vector<Constraint> result;
     for (const Tangency& tangency : tangencies)
       result.push_back(tangency_constraint(tangency));
-    for (const Regularity& regularity : regularities) {
+    for (const Regularity& regularity : regularities)
+    {
       result.push_back(regularity_constraint(regularity));
       if (regularity.kind == Regularity_kind::COAXIAL)
         result.push_back(regularity_constraint({Regularity_kind::PARALLEL, regularity.curves}));
@@ -169,16 +183,14 @@ private:
   {
     constexpr double arm = 10.;
     const Vector &a = one.axis, &b = two.axis, offset = two.center - one.center;
-    switch (kind) {
-    case Regularity_kind::EQUAL_RADII:
-      return Vector(one.major_radius - two.major_radius, 0., 0.);
+    switch (kind)
+    {
+    case Regularity_kind::EQUAL_RADII: return Vector(one.major_radius - two.major_radius, 0., 0.);
     case Regularity_kind::COAXIAL:
       // that the axes are parallel is a constraint of its own
       return offset - offset.dot(a) * a;
-    case Regularity_kind::PARALLEL:
-      return arm * a.cross(b);
-    case Regularity_kind::ORTHOGONAL:
-      return Vector(arm * a.dot(b), 0., 0.);
+    case Regularity_kind::PARALLEL: return arm * a.cross(b);
+    case Regularity_kind::ORTHOGONAL: return Vector(arm * a.dot(b), 0., 0.);
     }
     return Vector::Zero();
   }
@@ -228,13 +240,16 @@ private:
         add_pull(problem, vertices[end.vertex],
                  (Eigen::Matrix3d::Identity() - end.tangent * end.tangent.transpose()) / end.deviation, end.position);
     if (weight > 0.)
-      for (std::size_t i = 0; i < constraints.size(); ++i) {
+      for (std::size_t i = 0; i < constraints.size(); ++i)
+      {
         const auto function = constraints[i].function;
         const double factor = std::sqrt(weight);
         const Vector shift = multipliers[i] / weight;
-        problem.AddResidualBlock(new Geometric_residual(constraints[i].blocks.size(), [=](double const* const* parameters) {
-          return Vector(factor * (function(parameters) + shift));
-        }), nullptr, constraints[i].blocks);
+        problem.AddResidualBlock(new Geometric_residual(constraints[i].blocks.size(),
+                                                        [=](double const* const* parameters) {
+                                                          return Vector(factor * (function(parameters) + shift));
+                                                        }),
+                                 nullptr, constraints[i].blocks);
       }
     if (problem.NumResidualBlocks() == 0)
       return;
@@ -243,7 +258,8 @@ private:
     const std::vector<Vector> kept = vertices;
     const std::vector<Primitive_edge> kept_edges = edges;
     ceres::Solve(options, &problem, &summary);
-    if (!summary.IsSolutionUsable()) {
+    if (!summary.IsSolutionUsable())
+    {
       std::copy(kept.begin(), kept.end(), vertices.begin());
       for (std::size_t i = 0; i < edges.size(); ++i)
         edges[i].points = kept_edges[i].points;
@@ -252,9 +268,12 @@ private:
 
   static void add_pull(ceres::Problem& problem, Vector& vertex, const Eigen::Matrix3d& root, const Vector& place)
   {
-    problem.AddResidualBlock(new Geometric_residual(1, [root, place](double const* const* parameters) {
-      return Vector(root * (Eigen::Map<const Vector>(parameters[0]) - place));
-    }), nullptr, vertex.data());
+    problem.AddResidualBlock(new Geometric_residual(1,
+                                                    [root, place](double const* const* parameters) {
+                                                      return Vector(
+                                                        root * (Eigen::Map<const Vector>(parameters[0]) - place));
+                                                    }),
+                             nullptr, vertex.data());
   }
 };
 

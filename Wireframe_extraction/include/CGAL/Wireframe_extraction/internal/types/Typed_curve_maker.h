@@ -55,10 +55,13 @@ public:
   {
     Curve curve;
     const bool is_untouched = !piece.is_primitive && piece.is_whole;
-    if (is_untouched) {
+    if (is_untouched)
+    {
       curve = whole;
       adapt_ends(piece, curve);
-    } else {
+    }
+    else
+    {
       curve.root_mean_square = length(piece.root_mean_square);
       curve.maximum_deviation = length(piece.maximum_deviation);
       curve.support = piece.support;
@@ -94,7 +97,8 @@ private:
     const Vector last = m_vertices[piece.vertices[1]] - m_skeleton.to_local(points.back());
     if (first.isZero(0.) && last.isZero(0.))
       return;
-    for (std::size_t i = 1; i + 1 < n; ++i) {
+    for (std::size_t i = 1; i + 1 < n; ++i)
+    {
       const double share = double(i) / double(n - 1);
       points[i] = m_skeleton.to_point(m_skeleton.to_local(points[i]) + (1. - share) * first + share * last);
     }
@@ -119,13 +123,15 @@ private:
     const std::size_t count = (std::max)(std::size_t(16), std::size_t(std::ceil(4. * size)));
     std::vector<double> parameters;
     std::vector<Vector> positions;
-    for (std::size_t i = 0; i <= count; ++i) {
+    for (std::size_t i = 0; i <= count; ++i)
+    {
       parameters.push_back(size * double(i) / double(count));
       positions.push_back(at(polyline, lengths, begin + parameters.back()));
     }
     const Vector first = m_vertices[piece.vertices[0]] - positions.front();
     const Vector last = m_vertices[piece.vertices[1]] - positions.back();
-    for (std::size_t i = 0; i <= count; ++i) {
+    for (std::size_t i = 0; i <= count; ++i)
+    {
       const double share = double(i) / double(count);
       positions[i] += (1. - share) * first + share * last;
     }
@@ -150,8 +156,9 @@ private:
   {
     if (s > lengths.back() && polyline.front() == polyline.back())
       s -= lengths.back();
-    const std::size_t k = std::size_t((std::min)(std::max<std::ptrdiff_t>(
-      1, std::upper_bound(lengths.begin(), lengths.end(), s) - lengths.begin()), std::ptrdiff_t(lengths.size()) - 1));
+    const std::size_t k = std::size_t(
+      (std::min)(std::max<std::ptrdiff_t>(1, std::upper_bound(lengths.begin(), lengths.end(), s) - lengths.begin()),
+                 std::ptrdiff_t(lengths.size()) - 1));
     const double t = (s - lengths[k - 1]) / (std::max)(1e-30, lengths[k] - lengths[k - 1]);
     return polyline[k - 1] + (std::min)(1., (std::max)(0., t)) * (polyline[k] - polyline[k - 1]);
   }
@@ -161,15 +168,16 @@ private:
     const Vector &a = m_vertices[piece.vertices[0]], &b = m_vertices[piece.vertices[1]];
     curve.type = Wireframe_curve_type::LINE;
     const FT end = length((b - a).norm());
-    curve.spline = Spline(1, {FT(0), FT(0), end, end}, {m_points[piece.vertices[0]], m_points[piece.vertices[1]]}, false,
-                          m_skeleton.traits());
+    curve.spline = Spline(1, {FT(0), FT(0), end, end}, {m_points[piece.vertices[0]], m_points[piece.vertices[1]]},
+                          false, m_skeleton.traits());
     curve.uncertainty.position = length(piece.position_deviation);
     curve.uncertainty.direction = FT(piece.direction_deviation);
   }
 
   void make_conic(const Typed_piece& piece, const std::vector<Vector>& polyline, Curve& curve) const
   {
-    const bool is_circle = piece.shape.kind == Primitive_kind::CIRCLE, has_vertex = piece.vertices[0] != Typed_piece::no_vertex;
+    const bool is_circle = piece.shape.kind == Primitive_kind::CIRCLE,
+               has_vertex = piece.vertices[0] != Typed_piece::no_vertex;
     const bool is_closed = piece.vertices[0] == piece.vertices[1];
     curve.type = is_closed ? (is_circle ? Wireframe_curve_type::CIRCLE : Wireframe_curve_type::ELLIPSE)
                            : (is_circle ? Wireframe_curve_type::ARC : Wireframe_curve_type::ELLIPTIC_ARC);
@@ -180,13 +188,15 @@ private:
     const Vector middle = is_closed ? at(polyline, lengths, piece.range[0] + 0.25 * lengths.back()) : piece.middle;
     double begin = shape.parameter(start), to_middle = turn(begin, shape.parameter(middle));
     double sweep = is_closed ? 2. * CGAL_PI : turn(begin, shape.parameter(end));
-    if (is_closed ? to_middle > CGAL_PI : to_middle > sweep) {
+    if (is_closed ? to_middle > CGAL_PI : to_middle > sweep)
+    {
       // it runs clockwise
       shape.axis = -shape.axis;
       begin = -begin;
       sweep = is_closed ? 2. * CGAL_PI : turn(begin, shape.parameter(end));
     }
-    if (is_circle) {
+    if (is_circle)
+    {
       shape.major = (start - shape.center - (start - shape.center).dot(shape.axis) * shape.axis).normalized();
       begin = 0.;
     }
@@ -199,7 +209,8 @@ private:
     conic.start_angle = FT(begin);
     conic.end_angle = FT(begin + sweep);
     curve.spline = conic.to_spline(is_closed, m_skeleton.traits());
-    if (has_vertex) {
+    if (has_vertex)
+    {
       std::vector<Point_3> points = curve.spline.control_points();
       points.front() = m_points[piece.vertices[0]];
       points.back() = m_points[piece.vertices[1]];

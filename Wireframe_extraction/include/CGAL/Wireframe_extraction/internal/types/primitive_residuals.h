@@ -50,16 +50,19 @@ public:
     const std::size_t count = parameter_block_sizes().size();
     std::vector<Vector> changed(count);
     std::vector<const double*> pointers(count);
-    for (std::size_t b = 0; b < count; ++b) {
+    for (std::size_t b = 0; b < count; ++b)
+    {
       changed[b] = Eigen::Map<const Vector>(blocks[b]);
       pointers[b] = changed[b].data();
     }
     constexpr double h = 1e-5;
-    for (std::size_t b = 0; b < count; ++b) {
+    for (std::size_t b = 0; b < count; ++b)
+    {
       if (!jacobians[b])
         continue;
-      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor> > jacobian(jacobians[b]);
-      for (int k = 0; k < 3; ++k) {
+      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> jacobian(jacobians[b]);
+      for (int k = 0; k < 3; ++k)
+      {
         const double kept = changed[b][k];
         changed[b][k] = kept + h;
         const Vector ahead = m_function(pointers.data());
@@ -81,7 +84,7 @@ class Edge_variations
   Primitive_kind m_kind;
   std::vector<double*> m_blocks;
   Primitive_curve m_curve;
-  std::vector<Primitive_curve> m_ahead, m_behind;     // three for each block
+  std::vector<Primitive_curve> m_ahead, m_behind; // three for each block
 
 public:
   static constexpr double step = 1e-5;
@@ -99,7 +102,8 @@ public:
     m_ahead.clear();
     m_behind.clear();
     for (std::size_t b = 0; with_steps && b < m_blocks.size(); ++b)
-      for (int k = 0; k < 3; ++k) {
+      for (int k = 0; k < 3; ++k)
+      {
         m_ahead.push_back(after_step(b, k, step));
         m_behind.push_back(after_step(b, k, -step));
       }
@@ -153,10 +157,11 @@ public:
     value = m_root * (m_edge.curve().foot(m_position) - m_position);
     if (!value.allFinite())
       return false;
-    for (std::size_t b = 0; jacobians && b < m_edge.blocks().size(); ++b) {
+    for (std::size_t b = 0; jacobians && b < m_edge.blocks().size(); ++b)
+    {
       if (!jacobians[b])
         continue;
-      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor> > jacobian(jacobians[b]);
+      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> jacobian(jacobians[b]);
       for (int k = 0; k < 3; ++k)
         jacobian.col(k) = m_root
           * (m_edge.ahead(3 * b + k).foot(m_position) - m_edge.behind(3 * b + k).foot(m_position))

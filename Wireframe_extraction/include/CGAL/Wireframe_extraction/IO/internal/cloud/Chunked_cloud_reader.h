@@ -55,7 +55,7 @@ protected:
 
   bool fail_truncated(const std::string& where)
   {
-    if(!error_.empty())
+    if (!error_.empty())
       return false;
     return fail(filename_ + (input_.has_failed() ? ": reading failed " : ": is truncated: it ends ") + where
                 + (input_.has_failed() ? "" : "; get a complete copy of the file"));
@@ -65,22 +65,22 @@ protected:
   bool check_start()
   {
     return input_.require(1) > 0
-           || fail(filename_ + ": " + (input_.has_failed() ? "cannot be read" : empty_file_text()));
+      || fail(filename_ + ": " + (input_.has_failed() ? "cannot be read" : empty_file_text()));
   }
 
   // the words of the next line that has some; what follows a # is left out if lines have comments
   bool next_words(std::vector<std::string_view>& words, bool has_comments)
   {
     std::string_view line;
-    for(;;)
+    for (;;)
     {
       const Chunked_input::Line_status status = input_.next_line(line);
-      if(status == Chunked_input::Line_status::TOO_LONG)
+      if (status == Chunked_input::Line_status::TOO_LONG)
         return fail(filename_ + ":" + std::to_string(input_.line_number() + 1) + ": the line is too long for " + kind_);
-      if(status == Chunked_input::Line_status::END)
+      if (status == Chunked_input::Line_status::END)
         return false;
       split_at_blanks(has_comments ? line.substr(0, line.find('#')) : line, words);
-      if(!words.empty())
+      if (!words.empty())
         return true;
     }
   }

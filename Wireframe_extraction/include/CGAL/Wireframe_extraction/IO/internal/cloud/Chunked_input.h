@@ -29,19 +29,21 @@ namespace internal {
 class Chunked_input
 {
 public:
-  enum class Line_status { LINE, END, TOO_LONG };
+  enum class Line_status
+  {
+    LINE,
+    END,
+    TOO_LONG
+  };
 
   static constexpr std::size_t chunk_size = std::size_t(1) << 20;
 
-  explicit Chunked_input(std::istream& stream) : stream_(stream), buffer_(chunk_size)
-  {
-    find_size();
-  }
+  explicit Chunked_input(std::istream& stream) : stream_(stream), buffer_(chunk_size) { find_size(); }
 
   // makes `wanted` bytes (at most `chunk_size`) contiguous; returns how many there are, fewer only at the end
   std::size_t require(std::size_t wanted)
   {
-    if(end_ - begin_ < wanted && !at_end_)
+    if (end_ - begin_ < wanted && !at_end_)
       refill();
     return (std::min)(wanted, end_ - begin_);
   }
@@ -57,10 +59,10 @@ public:
   // returns whether so many bytes were there to be skipped
   bool skip(std::uint64_t count)
   {
-    while(count > 0)
+    while (count > 0)
     {
       const std::size_t step = require(std::size_t((std::min)(count, std::uint64_t(chunk_size))));
-      if(step == 0)
+      if (step == 0)
         return false;
       consume(step);
       count -= step;
@@ -71,19 +73,19 @@ public:
   // the next line without its end, which is \n, \r\n or \r; the view holds until the next call
   Line_status next_line(std::string_view& line)
   {
-    for(;;)
+    for (;;)
     {
       std::size_t line_size = 0, total_size = 0;
-      if(find_line_end(line_size, total_size))
+      if (find_line_end(line_size, total_size))
       {
         line = std::string_view(data(), line_size);
         consume(total_size);
         ++line_number_;
         return Line_status::LINE;
       }
-      if(at_end_)
+      if (at_end_)
         return Line_status::END;
-      if(end_ - begin_ == chunk_size)
+      if (end_ - begin_ == chunk_size)
         return Line_status::TOO_LONG;
       refill();
     }
@@ -105,14 +107,14 @@ private:
   void find_size()
   {
     const std::istream::pos_type begin = stream_.tellg();
-    if(begin == std::istream::pos_type(-1) || !stream_.seekg(0, std::ios::end))
+    if (begin == std::istream::pos_type(-1) || !stream_.seekg(0, std::ios::end))
     {
       stream_.clear();
       return;
     }
     const std::istream::pos_type end = stream_.tellg();
     stream_.seekg(begin);
-    if(!stream_ || end == std::istream::pos_type(-1) || end < begin)
+    if (!stream_ || end == std::istream::pos_type(-1) || end < begin)
     {
       stream_.clear();
       return;
@@ -136,18 +138,18 @@ private:
   bool find_line_end(std::size_t& line_size, std::size_t& total_size) const
   {
     const std::size_t available = end_ - begin_;
-    if(available == 0)
+    if (available == 0)
       return false;
     const void* newline = std::memchr(data(), '\n', available);
     const std::size_t limit = newline ? std::size_t(static_cast<const char*>(newline) - data()) : available;
     const void* carriage_return = std::memchr(data(), '\r', limit);
-    if(carriage_return != nullptr)
+    if (carriage_return != nullptr)
     {
       line_size = std::size_t(static_cast<const char*>(carriage_return) - data());
-      if(line_size + 1 == available && !at_end_)
+      if (line_size + 1 == available && !at_end_)
         return false;
       total_size = line_size + 1;
-      if(total_size < available && data()[total_size] == '\n')
+      if (total_size < available && data()[total_size] == '\n')
         ++total_size;
       return true;
     }

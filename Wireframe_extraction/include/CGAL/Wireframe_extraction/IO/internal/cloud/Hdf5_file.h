@@ -39,7 +39,7 @@ public:
 
   ~Hdf5_handle()
   {
-    if(id_ >= 0)
+    if (id_ >= 0)
       close_(id_);
   }
 
@@ -79,11 +79,11 @@ public:
 
   bool open(std::string& error)
   {
-    if(!file_.is_valid())
+    if (!file_.is_valid())
     {
       const std::string reason = reason_of_library();
       error = filename_ + ": is no HDF5 file, or a truncated or damaged one"
-              + (reason.empty() ? "" : " (" + reason + ")") + "; get a complete copy of the file";
+        + (reason.empty() ? "" : " (" + reason + ")") + "; get a complete copy of the file";
       return false;
     }
     collect_names(file_.get(), "", 0);
@@ -98,15 +98,15 @@ public:
   {
     std::string text;
     const std::size_t count = (std::min)(names_.size(), std::size_t(20));
-    for(std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i)
     {
       const Hdf5_handle dataset(H5Dopen2(file_.get(), names_[i].c_str(), H5P_DEFAULT), &H5Dclose);
       std::vector<std::uint64_t> shape;
       text += (text.empty() ? "" : ", ") + printable(names_[i]);
-      if(find_shape(dataset, shape))
+      if (find_shape(dataset, shape))
         text += " (" + shape_text(shape) + ")";
     }
-    if(names_.size() > count)
+    if (names_.size() > count)
       text += " and " + std::to_string(names_.size() - count) + " more";
     return text.empty() ? "no data set at all" : text;
   }
@@ -114,7 +114,7 @@ public:
   bool find_rows(const std::string& name, std::vector<std::uint64_t>& shape) override
   {
     const Hdf5_handle dataset(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), &H5Dclose);
-    if(!find_shape(dataset, shape) || shape.empty())
+    if (!find_shape(dataset, shape) || shape.empty())
       return false;
     const Hdf5_handle type(H5Dget_type(dataset.get()), &H5Tclose);
     std::uint64_t count;
@@ -128,13 +128,14 @@ public:
     std::vector<std::uint64_t> shape;
     std::uint64_t size = 0;
     bool is_read = find_shape(dataset, shape) && !shape.empty() && find_number_of_values(shape, size);
-    if(is_read)
+    if (is_read)
     {
       values.resize(static_cast<std::size_t>(size / shape[0] * count));
-      is_read = read_slab(dataset.get(), shape, first, count, [&](hid_t memory, hid_t space)
-        { return H5Dread(dataset.get(), H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data()); });
+      is_read = read_slab(dataset.get(), shape, first, count, [&](hid_t memory, hid_t space) {
+        return H5Dread(dataset.get(), H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data());
+      });
     }
-    if(!is_read)
+    if (!is_read)
       error = filename_ + ": its data set " + quote(name) + " " + failed_at(first);
     return is_read;
   }
@@ -142,7 +143,7 @@ public:
   bool read(const std::string& name, Number_array& array, std::string& error) override
   {
     const std::string reason = read_dataset(name, array);
-    if(!reason.empty())
+    if (!reason.empty())
       error = filename_ + ": its data set " + quote(name) + " " + reason;
     return reason.empty();
   }
@@ -155,19 +156,15 @@ private:
   // no filter of HDF5 that is in use makes data smaller by more
   static constexpr std::uint64_t largest_compression = 2048;
 
-  static hid_t open_file(const std::string& filename)
-  {
-    return H5Fopen(filename.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  }
+  static hid_t open_file(const std::string& filename) { return H5Fopen(filename.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT); }
 
   // what the library says first about its last error
   static std::string reason_of_library()
   {
     std::string text;
-    const H5E_walk2_t keep = [](unsigned, const H5E_error2_t* error, void* target)
-    {
+    const H5E_walk2_t keep = [](unsigned, const H5E_error2_t* error, void* target) {
       std::string& reason = *static_cast<std::string*>(target);
-      if(reason.empty() && error->desc != nullptr)
+      if (reason.empty() && error->desc != nullptr)
         reason = printable(error->desc, 120);
       return herr_t(0);
     };
@@ -178,38 +175,38 @@ private:
   void collect_names(hid_t group, const std::string& prefix, int depth)
   {
     H5G_info_t info;
-    if(H5Gget_info(group, &info) < 0)
+    if (H5Gget_info(group, &info) < 0)
       return;
-    for(hsize_t i = 0; i < info.nlinks && number_of_visited_ < largest_number_of_objects; ++i)
+    for (hsize_t i = 0; i < info.nlinks && number_of_visited_ < largest_number_of_objects; ++i)
     {
       ++number_of_visited_; // groups may contain each other
       char buffer[256];
-      const ssize_t size = H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, buffer, sizeof(buffer),
-                                              H5P_DEFAULT);
-      if(size <= 0 || size >= static_cast<ssize_t>(sizeof(buffer)))
+      const ssize_t size =
+        H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, buffer, sizeof(buffer), H5P_DEFAULT);
+      if (size <= 0 || size >= static_cast<ssize_t>(sizeof(buffer)))
         continue;
       const std::string name(buffer, static_cast<std::size_t>(size));
       const Hdf5_handle object(H5Oopen(group, name.c_str(), H5P_DEFAULT), &H5Oclose);
-      if(!object.is_valid())
+      if (!object.is_valid())
         continue;
       const H5I_type_t type = H5Iget_type(object.get());
-      if(type == H5I_DATASET)
+      if (type == H5I_DATASET)
         names_.push_back(prefix + name);
-      else if(type == H5I_GROUP && depth < largest_depth)
+      else if (type == H5I_GROUP && depth < largest_depth)
         collect_names(object.get(), prefix + name + "/", depth + 1);
     }
   }
 
   static bool find_shape(const Hdf5_handle& dataset, std::vector<std::uint64_t>& shape)
   {
-    if(!dataset.is_valid())
+    if (!dataset.is_valid())
       return false;
     const Hdf5_handle space(H5Dget_space(dataset.get()), &H5Sclose);
     const int rank = space.is_valid() ? H5Sget_simple_extent_ndims(space.get()) : -1;
-    if(rank < 0)
+    if (rank < 0)
       return false;
     std::vector<hsize_t> sizes(static_cast<std::size_t>(rank) + 1);
-    if(H5Sget_simple_extent_dims(space.get(), sizes.data(), nullptr) < 0)
+    if (H5Sget_simple_extent_dims(space.get(), sizes.data(), nullptr) < 0)
       return false;
     shape.assign(sizes.begin(), sizes.end() - 1);
     return true;
@@ -233,25 +230,25 @@ private:
   {
     const Hdf5_handle properties(H5Dget_create_plist(dataset), &H5Pclose);
     return properties.is_valid()
-           && (H5Pget_layout(properties.get()) == H5D_VIRTUAL || H5Pget_external_count(properties.get()) > 0);
+      && (H5Pget_layout(properties.get()) == H5D_VIRTUAL || H5Pget_external_count(properties.get()) > 0);
   }
 
   // returns what went wrong, nothing if all went well
   std::string read_dataset(const std::string& name, Number_array& array)
   {
     const Hdf5_handle dataset(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), &H5Dclose);
-    if(!find_shape(dataset, array.shape))
+    if (!find_shape(dataset, array.shape))
       return "cannot be opened: " + reason_of_library();
     const Hdf5_handle type(H5Dget_type(dataset.get()), &H5Tclose);
-    if(!type.is_valid())
+    if (!type.is_valid())
       return "has no type: " + reason_of_library();
-    if(H5Tget_class(type.get()) == H5T_VLEN)
+    if (H5Tget_class(type.get()) == H5T_VLEN)
     {
       const Hdf5_handle base(H5Tget_super(type.get()), &H5Tclose);
-      if(base.is_valid() && is_number(base.get()) && array.shape.size() == 1)
+      if (base.is_valid() && is_number(base.get()) && array.shape.size() == 1)
         return read_ragged(dataset.get(), type.get(), array);
     }
-    if(!is_number(type.get()))
+    if (!is_number(type.get()))
       return "holds no numbers; floating point numbers or integers are needed";
     std::uint64_t count = 0;
     const std::string reason = check_content(dataset.get(), type.get(), array.shape, count);
@@ -264,13 +261,13 @@ private:
   {
     const std::uint64_t bytes = H5Tget_size(type);
     const std::uint64_t there = stored_size(dataset);
-    if(refers_to_other_files(dataset))
+    if (refers_to_other_files(dataset))
       return "has its data in other files; put it into one, as h5py does if a new data set gets the array of the "
              "old one";
-    if(!find_number_of_values(shape, count) || (count > 0 && count > there * largest_compression / bytes))
+    if (!find_number_of_values(shape, count) || (count > 0 && count > there * largest_compression / bytes))
       return "promises the shape " + shape_text(shape) + " of " + std::to_string(8 * bytes)
-             + " bit numbers, but has only " + std::to_string(there)
-             + " bytes: it was never written completely, or the file is damaged";
+        + " bit numbers, but has only " + std::to_string(there)
+        + " bytes: it was never written completely, or the file is damaged";
     return std::string();
   }
 
@@ -285,30 +282,31 @@ private:
     size[0] = count;
     const Hdf5_handle memory(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), &H5Sclose);
     return space.is_valid() && memory.is_valid()
-           && H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, begin.data(), nullptr, size.data(), nullptr) >= 0
-           && read(memory.get(), space.get()) >= 0;
+      && H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, begin.data(), nullptr, size.data(), nullptr) >= 0
+      && read(memory.get(), space.get()) >= 0;
   }
 
   static std::string failed_at(std::uint64_t row)
   {
     return "cannot be read from row " + std::to_string(row) + " on (" + reason_of_library()
-           + "): the file is truncated or damaged; get a complete copy of it";
+      + "): the file is truncated or damaged; get a complete copy of it";
   }
 
   static std::string read_all_rows(hid_t dataset, Number_array& array, std::uint64_t count)
   {
-    if(array.shape.empty() || count == 0)
+    if (array.shape.empty() || count == 0)
       return array.shape.empty() ? "is a single number, not an array" : std::string();
     const std::uint64_t row = count / array.shape[0];
     const std::uint64_t rows = (std::max)(std::uint64_t(1), values_per_slab / row);
-    for(std::uint64_t first = 0; first < array.shape[0]; first += rows)
+    for (std::uint64_t first = 0; first < array.shape[0]; first += rows)
     {
       const std::uint64_t step = (std::min)(rows, array.shape[0] - first);
       const std::size_t done = array.values.size();
       array.values.resize(done + static_cast<std::size_t>(step * row));
       double* const target = array.values.data() + done;
-      if(!read_slab(dataset, array.shape, first, step, [&](hid_t memory, hid_t space)
-           { return H5Dread(dataset, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, target); }))
+      if (!read_slab(dataset, array.shape, first, step, [&](hid_t memory, hid_t space) {
+            return H5Dread(dataset, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, target);
+          }))
         return failed_at(first);
     }
     return std::string();
@@ -320,18 +318,17 @@ private:
     array.is_ragged = true;
     const Hdf5_handle type(H5Tvlen_create(H5T_NATIVE_DOUBLE), &H5Tclose);
     const std::uint64_t there = stored_size(dataset);
-    if(array.shape[0] > 0 && array.shape[0] > there * largest_compression / H5Tget_size(file_type))
+    if (array.shape[0] > 0 && array.shape[0] > there * largest_compression / H5Tget_size(file_type))
       return "promises " + std::to_string(array.shape[0]) + " rows, but has only " + std::to_string(there)
-             + " bytes for them: it was never written completely, or the file is damaged";
-    for(std::uint64_t first = 0; first < array.shape[0]; first += rows_per_slab)
+        + " bytes for them: it was never written completely, or the file is damaged";
+    for (std::uint64_t first = 0; first < array.shape[0]; first += rows_per_slab)
     {
       const std::uint64_t step = (std::min)(rows_per_slab, array.shape[0] - first);
-      std::vector<hvl_t> rows(static_cast<std::size_t>(step), hvl_t{ 0, nullptr });
-      const bool is_read = read_slab(dataset, array.shape, first, step, [&](hid_t memory, hid_t space)
-      {
+      std::vector<hvl_t> rows(static_cast<std::size_t>(step), hvl_t{0, nullptr});
+      const bool is_read = read_slab(dataset, array.shape, first, step, [&](hid_t memory, hid_t space) {
         const herr_t status = H5Dread(dataset, type.get(), memory, space, H5P_DEFAULT, rows.data());
-        if(status >= 0)
-          for(const hvl_t& row : rows)
+        if (status >= 0)
+          for (const hvl_t& row : rows)
           {
             const double* const values = static_cast<const double*>(row.p);
             array.values.insert(array.values.end(), values, values + row.len);
@@ -340,7 +337,7 @@ private:
         H5Dvlen_reclaim(type.get(), memory, H5P_DEFAULT, rows.data());
         return status;
       });
-      if(!is_read)
+      if (!is_read)
         return failed_at(first);
     }
     return std::string();

@@ -52,11 +52,11 @@ public:
   explicit File_bytes(std::istream& stream) : stream_(stream), rest_((std::numeric_limits<std::uint64_t>::max)())
   {
     const std::istream::pos_type begin = stream_.tellg();
-    if(begin != std::istream::pos_type(-1) && stream_.seekg(0, std::ios::end))
+    if (begin != std::istream::pos_type(-1) && stream_.seekg(0, std::ios::end))
     {
       const std::istream::pos_type end = stream_.tellg();
       stream_.seekg(begin);
-      if(end > begin) // special files say zero and may still deliver
+      if (end > begin) // special files say zero and may still deliver
         rest_ = static_cast<std::uint64_t>(end - begin);
     }
     stream_.clear();
@@ -65,7 +65,7 @@ public:
   std::size_t read(char* target, std::size_t size) override
   {
     stream_.read(target, static_cast<std::streamsize>(size));
-    if(stream_.bad())
+    if (stream_.bad())
       error_ = "reading failed";
     const std::size_t count = static_cast<std::size_t>(stream_.gcount());
     rest_ -= (std::min)(rest_, std::uint64_t(count));
@@ -95,24 +95,24 @@ public:
   {
     text_ = text;
     bool has_type = false, has_order = false, has_shape = false;
-    if(!accept('{'))
+    if (!accept('{'))
       return malformed();
-    while(!accept('}'))
+    while (!accept('}'))
     {
       std::string key;
-      if(!accept_string(key) || !accept(':'))
+      if (!accept_string(key) || !accept(':'))
         return malformed();
       bool& is_there = key == "descr" ? has_type : key == "fortran_order" ? has_order : has_shape;
-      if(is_there || (key != "descr" && key != "fortran_order" && key != "shape"))
+      if (is_there || (key != "descr" && key != "fortran_order" && key != "shape"))
         return "its header has an unexpected entry " + quote(key);
       is_there = true;
       const std::string error = key == "descr" ? parse_type() : key == "shape" ? parse_shape() : parse_order();
-      if(!error.empty())
+      if (!error.empty())
         return error;
-      if(!accept(',') && next() != '}')
+      if (!accept(',') && next() != '}')
         return malformed();
     }
-    if(next() != '\0')
+    if (next() != '\0')
       return malformed();
     return has_type && has_order && has_shape ? std::string() : "its header lacks descr, fortran_order or shape";
   }
@@ -125,14 +125,14 @@ private:
 
   char next()
   {
-    while(!text_.empty() && (is_blank(text_.front()) || text_.front() == '\n'))
+    while (!text_.empty() && (is_blank(text_.front()) || text_.front() == '\n'))
       text_.remove_prefix(1);
     return text_.empty() ? '\0' : text_.front();
   }
 
   bool accept(char c)
   {
-    if(next() != c)
+    if (next() != c)
       return false;
     text_.remove_prefix(1);
     return true;
@@ -141,10 +141,10 @@ private:
   bool accept_string(std::string& value)
   {
     const char mark = next();
-    if(mark != '\'' && mark != '"')
+    if (mark != '\'' && mark != '"')
       return false;
     const std::size_t end = text_.find(mark, 1);
-    if(end == std::string_view::npos)
+    if (end == std::string_view::npos)
       return false;
     value = std::string(text_.substr(1, end - 1));
     text_.remove_prefix(end + 1);
@@ -154,17 +154,17 @@ private:
   std::string parse_type()
   {
     const std::string remedy = "; float32 and float64 are read: convert it with numpy.asarray(array, dtype=float)";
-    if(next() == '[')
+    if (next() == '[')
       return "is a structured array" + remedy;
     std::string type;
-    if(!accept_string(type))
+    if (!accept_string(type))
       return malformed();
-    if(type.size() > 1 && type[1] == 'O')
+    if (type.size() > 1 && type[1] == 'O')
       return "is an array of Python objects, which only Python can read" + remedy;
     const char order = type.empty() ? '\0' : type[0];
-    if(type.size() < 3 || (order != '<' && order != '>' && order != '|' && order != '=')
-       || !parse_count(std::string_view(type).substr(2), size) || !is_number_type(type[1], size)
-       || (order == '|' && size != 1))
+    if (type.size() < 3 || (order != '<' && order != '>' && order != '|' && order != '=')
+        || !parse_count(std::string_view(type).substr(2), size) || !is_number_type(type[1], size)
+        || (order == '|' && size != 1))
       return "has numbers of the type " + quote(type) + remedy;
     kind = type[1];
     is_swapped = (order == '<' && !is_host_little_endian()) || (order == '>' && is_host_little_endian());
@@ -174,8 +174,8 @@ private:
   std::string parse_order()
   {
     next();
-    for(const char* const word : { "True", "False" })
-      if(starts_with(text_, word))
+    for (const char* const word : {"True", "False"})
+      if (starts_with(text_, word))
       {
         is_fortran_order = (word[0] == 'T');
         text_.remove_prefix(std::string_view(word).size());
@@ -186,18 +186,18 @@ private:
 
   std::string parse_shape()
   {
-    if(!accept('('))
+    if (!accept('('))
       return malformed();
-    while(!accept(')'))
+    while (!accept(')'))
     {
       next();
       const std::size_t end = (std::min)(text_.find_first_not_of("0123456789"), text_.size());
       std::uint64_t count = 0;
-      if(!parse_count(text_.substr(0, end), count) || shape.size() == 32)
+      if (!parse_count(text_.substr(0, end), count) || shape.size() == 32)
         return malformed();
       shape.push_back(count);
       text_.remove_prefix(end);
-      if(!accept(',') && next() != ')')
+      if (!accept(',') && next() != ')')
         return malformed();
     }
     return std::string();
@@ -216,22 +216,22 @@ public:
   {
     Npy_header header;
     std::uint64_t count = 0;
-    if(!read_header(header))
+    if (!read_header(header))
       return false;
-    if(!find_number_of_values(header.shape, count) || count > source_.largest_rest() / header.size)
-      return fail("its header promises the shape " + shape_text(header.shape) + " of "
-                  + std::to_string(8 * header.size) + " bit numbers, but it has at most "
-                  + std::to_string(source_.largest_rest()) + " bytes after the header: it is truncated or its header "
+    if (!find_number_of_values(header.shape, count) || count > source_.largest_rest() / header.size)
+      return fail("its header promises the shape " + shape_text(header.shape) + " of " + std::to_string(8 * header.size)
+                  + " bit numbers, but it has at most " + std::to_string(source_.largest_rest())
+                  + " bytes after the header: it is truncated or its header "
                     "is wrong; get a complete copy of the file");
     array.shape = header.shape;
-    if(!read_values(header, count, array.values))
+    if (!read_values(header, count, array.values))
       return false;
     char byte;
-    if(source_.read(&byte, 1) != 0)
+    if (source_.read(&byte, 1) != 0)
       return fail("holds more than the shape " + shape_text(header.shape) + " that its header promises");
-    if(!source_.error().empty())
+    if (!source_.error().empty())
       return fail(source_.error());
-    if(header.is_fortran_order)
+    if (header.is_fortran_order)
       reorder(array);
     return true;
   }
@@ -255,25 +255,25 @@ private:
   {
     char start[12];
     const std::size_t size = source_.read(start, 8);
-    if(size == 0)
+    if (size == 0)
       return source_.error().empty() ? fail(empty_file_text()) : fail(source_.error());
-    if(std::string_view(start, (std::min)(size, std::size_t(6))) != std::string_view("\x93NUMPY", 6))
+    if (std::string_view(start, (std::min)(size, std::size_t(6))) != std::string_view("\x93NUMPY", 6))
       return fail("is no NumPy file: it starts with " + quote(std::string_view(start, size))
                   + "; numpy.save() writes one");
-    if(size < 8)
+    if (size < 8)
       return fail_truncated("in its header");
     const int version = static_cast<unsigned char>(start[6]);
-    if(version < 1 || version > 3)
+    if (version < 1 || version > 3)
       return fail("has version " + std::to_string(version) + " of the format; versions 1 to 3 are known");
     const std::size_t number_of_length_bytes = (version == 1) ? 2 : 4;
-    if(source_.read(start + 8, number_of_length_bytes) < number_of_length_bytes)
+    if (source_.read(start + 8, number_of_length_bytes) < number_of_length_bytes)
       return fail_truncated("in its header");
-    const std::size_t length = (version == 1) ? load_little_endian<std::uint16_t>(start + 8)
-                                              : load_little_endian<std::uint32_t>(start + 8);
-    if(length > largest_header)
+    const std::size_t length =
+      (version == 1) ? load_little_endian<std::uint16_t>(start + 8) : load_little_endian<std::uint32_t>(start + 8);
+    if (length > largest_header)
       return fail("its header is " + std::to_string(length) + " bytes long, which no header of an array of numbers is");
     std::string text(length, '\0');
-    if(source_.read(&text[0], length) < length)
+    if (source_.read(&text[0], length) < length)
       return fail_truncated("in its header");
     const std::string error = header.parse(text);
     return error.empty() || fail(error);
@@ -283,14 +283,14 @@ private:
   {
     static constexpr std::size_t values_per_chunk = 8192;
     std::vector<char> bytes(values_per_chunk * header.size);
-    for(std::uint64_t done = 0; done < count;)
+    for (std::uint64_t done = 0; done < count;)
     {
       const std::size_t wanted = static_cast<std::size_t>((std::min)(count - done, std::uint64_t(values_per_chunk)));
       const std::size_t there = source_.read(bytes.data(), wanted * header.size) / header.size;
-      for(std::size_t i = 0; i < there; ++i)
+      for (std::size_t i = 0; i < there; ++i)
         values.push_back(load_number(header.kind, header.size, bytes.data() + i * header.size, header.is_swapped));
       done += there;
-      if(there < wanted)
+      if (there < wanted)
         return fail_truncated("after " + std::to_string(done) + " of " + std::to_string(count) + " numbers");
     }
     return true;
@@ -302,13 +302,13 @@ private:
     std::vector<double> ordered;
     ordered.reserve(array.values.size());
     std::vector<std::size_t> position(array.shape.size(), 0);
-    while(ordered.size() < array.values.size())
+    while (ordered.size() < array.values.size())
     {
       std::size_t index = 0;
-      for(std::size_t i = position.size(); i-- > 0;)
+      for (std::size_t i = position.size(); i-- > 0;)
         index = index * static_cast<std::size_t>(array.shape[i]) + position[i];
       ordered.push_back(array.values[index]);
-      for(std::size_t i = position.size(); i-- > 0 && ++position[i] == array.shape[i];)
+      for (std::size_t i = position.size(); i-- > 0 && ++position[i] == array.shape[i];)
         position[i] = 0;
     }
     array.values.swap(ordered);

@@ -43,7 +43,7 @@ class Cyclic_redundancy_check
 public:
   void add(const char* bytes, std::size_t size)
   {
-    for(std::size_t i = 0; i < size; ++i)
+    for (std::size_t i = 0; i < size; ++i)
       sum_ = table()[(sum_ ^ static_cast<unsigned char>(bytes[i])) & 0xFFu] ^ (sum_ >> 8);
   }
 
@@ -52,13 +52,12 @@ public:
 private:
   static const std::array<std::uint32_t, 256>& table()
   {
-    static const std::array<std::uint32_t, 256> values = []
-    {
+    static const std::array<std::uint32_t, 256> values = [] {
       std::array<std::uint32_t, 256> sums = {};
-      for(std::uint32_t i = 0; i < 256; ++i)
+      for (std::uint32_t i = 0; i < 256; ++i)
       {
         sums[i] = i;
-        for(int bit = 0; bit < 8; ++bit)
+        for (int bit = 0; bit < 8; ++bit)
           sums[i] = (sums[i] >> 1) ^ ((sums[i] & 1u) != 0 ? 0xEDB88320u : 0u);
       }
       return sums;
@@ -88,8 +87,8 @@ public:
   {
     compressed_rest_ = entry.compressed_size;
     // deflation makes data smaller by a factor of 1032 at best
-    rest_ = entry.method == stored ? entry.compressed_size
-                                   : (std::min)(entry.size, 1032 * entry.compressed_size + 1032);
+    rest_ =
+      entry.method == stored ? entry.compressed_size : (std::min)(entry.size, 1032 * entry.compressed_size + 1032);
 #ifdef CGAL_WIREFRAME_EXTRACTION_USE_ZLIB
     inflater_.next_in = Z_NULL;
     inflater_.avail_in = 0;
@@ -97,7 +96,7 @@ public:
     inflater_.zfree = Z_NULL;
     inflater_.opaque = Z_NULL;
     has_inflater_ = entry.method == deflated && inflateInit2(&inflater_, -15) == Z_OK;
-    if(entry.method == deflated && !has_inflater_)
+    if (entry.method == deflated && !has_inflater_)
       error_ = "zlib cannot be started";
 #endif
   }
@@ -108,20 +107,20 @@ public:
   ~Zip_bytes() override
   {
 #ifdef CGAL_WIREFRAME_EXTRACTION_USE_ZLIB
-    if(has_inflater_)
+    if (has_inflater_)
       inflateEnd(&inflater_);
 #endif
   }
 
   std::size_t read(char* target, std::size_t size) override
   {
-    if(!error_.empty() || size == 0)
+    if (!error_.empty() || size == 0)
       return 0;
     const std::size_t count = (entry_.method == stored) ? read_raw(target, size) : inflate_into(target, size);
     sum_.add(target, count);
     done_ += count;
     rest_ -= (std::min)(rest_, std::uint64_t(count));
-    if(count < size && error_.empty())
+    if (count < size && error_.empty())
       check_end();
     return count;
   }
@@ -135,7 +134,7 @@ private:
     const std::size_t wanted = static_cast<std::size_t>((std::min)(compressed_rest_, std::uint64_t(size)));
     stream_.read(target, static_cast<std::streamsize>(wanted));
     const std::size_t count = static_cast<std::size_t>(stream_.gcount());
-    if(count < wanted)
+    if (count < wanted)
       error_ = "is truncated: the archive ends before it does; get a complete copy of the file";
     compressed_rest_ -= count;
     return count;
@@ -145,15 +144,15 @@ private:
   std::size_t inflate_into(char* target, std::size_t size)
   {
     std::size_t done = 0;
-    while(done < size && !is_at_end_)
+    while (done < size && !is_at_end_)
     {
-      if(inflater_.avail_in == 0)
+      if (inflater_.avail_in == 0)
       {
         inflater_.avail_in = static_cast<uInt>(read_raw(input_.data(), input_.size()));
         inflater_.next_in = reinterpret_cast<Bytef*>(input_.data());
-        if(inflater_.avail_in == 0)
+        if (inflater_.avail_in == 0)
         {
-          if(error_.empty())
+          if (error_.empty())
             error_ = "its compressed data ends too early: the file is damaged; get a complete copy of it";
           return done;
         }
@@ -164,7 +163,7 @@ private:
       const int status = inflate(&inflater_, Z_NO_FLUSH);
       done += step - inflater_.avail_out;
       is_at_end_ = (status == Z_STREAM_END);
-      if(status != Z_OK && status != Z_STREAM_END && status != Z_BUF_ERROR)
+      if (status != Z_OK && status != Z_STREAM_END && status != Z_BUF_ERROR)
       {
         error_ = "its compressed data is damaged; get a complete copy of the file";
         return done;
@@ -182,7 +181,7 @@ private:
 
   void check_end()
   {
-    if(done_ != entry_.size || sum_.value() != entry_.check_sum)
+    if (done_ != entry_.size || sum_.value() != entry_.check_sum)
       error_ = "its data is not what its check sum says: the file is damaged; get a complete copy of it";
   }
 
@@ -202,7 +201,7 @@ public:
   bool open(std::string& error)
   {
     const std::string reason = read_directory();
-    if(!reason.empty())
+    if (!reason.empty())
       error = filename_ + ": " + reason;
     return reason.empty();
   }
@@ -217,7 +216,7 @@ public:
     const Zip_entry& entry = entries_[find_name(names_, name)];
     const std::string full_name = filename_ + ": array " + quote(name);
     const std::string reason = go_to(entry);
-    if(!reason.empty())
+    if (!reason.empty())
     {
       error = full_name + ": " + reason;
       return false;
@@ -236,7 +235,7 @@ private:
 
   bool read_at(std::uint64_t offset, std::uint64_t size, std::string& bytes)
   {
-    if(offset > file_size_ || size > file_size_ - offset)
+    if (offset > file_size_ || size > file_size_ - offset)
       return false;
     bytes.resize(static_cast<std::size_t>(size));
     stream_.clear();
@@ -254,27 +253,27 @@ private:
   {
     stream_.seekg(0, std::ios::end);
     const std::istream::pos_type end = stream_.tellg();
-    if(!stream_ || end == std::istream::pos_type(-1))
+    if (!stream_ || end == std::istream::pos_type(-1))
       return "is no file in which one can go back, as the .npz format needs it";
     file_size_ = static_cast<std::uint64_t>(end);
-    if(file_size_ == 0)
+    if (file_size_ == 0)
       return empty_file_text();
     const std::uint64_t tail_size = (std::min)(file_size_, std::uint64_t(end_size + longest_comment));
     std::string tail;
-    if(!read_at(file_size_ - tail_size, tail_size, tail))
+    if (!read_at(file_size_ - tail_size, tail_size, tail))
       return "reading failed";
     const std::size_t position = tail.rfind("PK\5\6");
-    if(position == std::string::npos || tail.size() - position < end_size)
+    if (position == std::string::npos || tail.size() - position < end_size)
       return "is no NumPy archive, or a truncated one: it has no ZIP directory at its end; copy it again, "
              "or write it with numpy.savez()";
     std::uint64_t count = number_at<std::uint16_t>(tail, position + 10);
     std::uint64_t size = number_at<std::uint32_t>(tail, position + 12);
     std::uint64_t offset = number_at<std::uint32_t>(tail, position + 16);
-    if((count == 0xFFFFu || size == 0xFFFFFFFFu || offset == 0xFFFFFFFFu)
-       && !read_large_end(file_size_ - tail_size + position, count, size, offset))
+    if ((count == 0xFFFFu || size == 0xFFFFFFFFu || offset == 0xFFFFFFFFu)
+        && !read_large_end(file_size_ - tail_size + position, count, size, offset))
       return damaged();
     std::string directory;
-    if(!read_at(offset, size, directory) || count > size / entry_size)
+    if (!read_at(offset, size, directory) || count > size / entry_size)
       return damaged();
     return read_entries(directory, count);
   }
@@ -283,8 +282,8 @@ private:
   bool read_large_end(std::uint64_t end, std::uint64_t& count, std::uint64_t& size, std::uint64_t& offset)
   {
     std::string locator, large_end;
-    if(end < 20 || !read_at(end - 20, 20, locator) || locator.compare(0, 4, "PK\6\7") != 0
-       || !read_at(number_at<std::uint64_t>(locator, 8), 56, large_end) || large_end.compare(0, 4, "PK\6\6") != 0)
+    if (end < 20 || !read_at(end - 20, 20, locator) || locator.compare(0, 4, "PK\6\7") != 0
+        || !read_at(number_at<std::uint64_t>(locator, 8), 56, large_end) || large_end.compare(0, 4, "PK\6\6") != 0)
       return false;
     count = number_at<std::uint64_t>(large_end, 32);
     size = number_at<std::uint64_t>(large_end, 40);
@@ -295,9 +294,9 @@ private:
   std::string read_entries(const std::string& directory, std::uint64_t count)
   {
     std::size_t position = 0;
-    for(std::uint64_t i = 0; i < count; ++i)
+    for (std::uint64_t i = 0; i < count; ++i)
     {
-      if(directory.size() - position < entry_size || directory.compare(position, 4, "PK\1\2") != 0)
+      if (directory.size() - position < entry_size || directory.compare(position, 4, "PK\1\2") != 0)
         return damaged();
       Zip_entry entry;
       entry.flags = number_at<std::uint16_t>(directory, position + 8);
@@ -310,15 +309,15 @@ private:
       const std::size_t extra_size = number_at<std::uint16_t>(directory, position + 30);
       const std::size_t comment_size = number_at<std::uint16_t>(directory, position + 32);
       position += entry_size;
-      if(directory.size() - position < name_size + extra_size + comment_size)
+      if (directory.size() - position < name_size + extra_size + comment_size)
         return damaged();
       entry.name = directory.substr(position, name_size);
-      if(!read_large_sizes(directory.substr(position + name_size, extra_size), entry))
+      if (!read_large_sizes(directory.substr(position + name_size, extra_size), entry))
         return damaged();
       position += name_size + extra_size + comment_size;
-      if(entry.compressed_size > file_size_)
+      if (entry.compressed_size > file_size_)
         return damaged();
-      if(!ends_with(entry.name, ".npy"))
+      if (!ends_with(entry.name, ".npy"))
         continue; // no array
       entries_.push_back(entry);
       names_.push_back(entry.name.substr(0, entry.name.size() - 4));
@@ -330,20 +329,20 @@ private:
   static bool read_large_sizes(const std::string& extra, Zip_entry& entry)
   {
     std::string large;
-    for(std::size_t position = 0; extra.size() - position >= 4;)
+    for (std::size_t position = 0; extra.size() - position >= 4;)
     {
       const std::size_t size = number_at<std::uint16_t>(extra, position + 2);
-      if(extra.size() - position - 4 < size)
+      if (extra.size() - position - 4 < size)
         return false;
-      if(number_at<std::uint16_t>(extra, position) == 1)
+      if (number_at<std::uint16_t>(extra, position) == 1)
         large = extra.substr(position + 4, size);
       position += 4 + size;
     }
     std::size_t position = 0;
-    for(std::uint64_t* const value : { &entry.size, &entry.compressed_size, &entry.offset })
-      if(*value == 0xFFFFFFFFu)
+    for (std::uint64_t* const value : {&entry.size, &entry.compressed_size, &entry.offset})
+      if (*value == 0xFFFFFFFFu)
       {
-        if(large.size() - position < 8)
+        if (large.size() - position < 8)
           return false;
         *value = number_at<std::uint64_t>(large, position);
         position += 8;
@@ -354,23 +353,23 @@ private:
   // moves the stream to the data of an entry; returns why that is impossible
   std::string go_to(const Zip_entry& entry)
   {
-    if((entry.flags & 1u) != 0)
+    if ((entry.flags & 1u) != 0)
       return "is encrypted; numpy.savez() writes plain archives";
-    if(entry.method != Zip_bytes::stored && entry.method != Zip_bytes::deflated)
+    if (entry.method != Zip_bytes::stored && entry.method != Zip_bytes::deflated)
       return "is compressed by the method " + std::to_string(entry.method)
-             + "; write it with numpy.savez() or numpy.savez_compressed()";
+        + "; write it with numpy.savez() or numpy.savez_compressed()";
 #ifndef CGAL_WIREFRAME_EXTRACTION_USE_ZLIB
-    if(entry.method == Zip_bytes::deflated)
+    if (entry.method == Zip_bytes::deflated)
       return "is compressed, which needs zlib, without which this program was built; write it with numpy.savez() "
              "instead of numpy.savez_compressed(), or build with the CMake target "
              "CGAL::Wireframe_extraction_ZLIB (Debian: zlib1g-dev)";
 #endif
     std::string header;
-    if(!read_at(entry.offset, 30, header) || header.compare(0, 4, "PK\3\4") != 0)
+    if (!read_at(entry.offset, 30, header) || header.compare(0, 4, "PK\3\4") != 0)
       return damaged();
-    const std::uint64_t begin = entry.offset + 30 + number_at<std::uint16_t>(header, 26)
-                                + number_at<std::uint16_t>(header, 28);
-    if(begin > file_size_ || entry.compressed_size > file_size_ - begin)
+    const std::uint64_t begin =
+      entry.offset + 30 + number_at<std::uint16_t>(header, 26) + number_at<std::uint16_t>(header, 28);
+    if (begin > file_size_ || entry.compressed_size > file_size_ - begin)
       return "is truncated: the archive ends before it does; get a complete copy of the file";
     stream_.clear();
     stream_.seekg(static_cast<std::streamoff>(begin));

@@ -33,14 +33,14 @@ struct Number_array
 {
   std::vector<std::uint64_t> shape;
   std::vector<double> values;
-  bool is_ragged = false;                // rows of different lengths, as many as the shape says
-  std::vector<std::uint64_t> row_sizes;  // of a ragged array
+  bool is_ragged = false;               // rows of different lengths, as many as the shape says
+  std::vector<std::uint64_t> row_sizes; // of a ragged array
 };
 
 inline std::string shape_text(const std::vector<std::uint64_t>& shape)
 {
   std::string text;
-  for(const std::uint64_t size : shape)
+  for (const std::uint64_t size : shape)
     text += (text.empty() ? "" : " x ") + std::to_string(size);
   return text.empty() ? "of a single number" : text;
 }
@@ -54,9 +54,9 @@ inline std::string shape_text(const Number_array& array)
 inline bool find_number_of_values(const std::vector<std::uint64_t>& shape, std::uint64_t& count)
 {
   count = 1;
-  for(const std::uint64_t size : shape)
+  for (const std::uint64_t size : shape)
   {
-    if(size != 0 && count > (std::numeric_limits<std::uint64_t>::max)() / 16 / size)
+    if (size != 0 && count > (std::numeric_limits<std::uint64_t>::max)() / 16 / size)
       return false;
     count *= size;
   }
@@ -70,9 +70,9 @@ public:
   virtual ~Array_file() {}
 
   virtual const std::string& filename() const = 0;
-  virtual const char* word_for_array() const = 0;                // what the format calls an array
+  virtual const char* word_for_array() const = 0; // what the format calls an array
   virtual const std::vector<std::string>& names() const = 0;
-  virtual std::string contents_text() = 0;                       // for messages
+  virtual std::string contents_text() = 0; // for messages
   virtual bool read(const std::string& name, Number_array& array, std::string& error) = 0;
 
   // whether an array is there that can be read by rows, and its shape
@@ -87,7 +87,7 @@ public:
 // names of the data set that says where the points of a patch are in the cloud
 inline const std::vector<std::string>& known_index_names()
 {
-  static const std::vector<std::string> names = { "indices", "indexes_in_whole" };
+  static const std::vector<std::string> names = {"indices", "indexes_in_whole"};
   return names;
 }
 
@@ -103,22 +103,22 @@ public:
     const std::string word = file.word_for_array();
     const std::string points_name = options_.points_dataset.empty() ? "points" : options_.points_dataset;
     const std::size_t points_index = find_name(file.names(), points_name);
-    if(points_index == file.names().size())
-      return fail(file.filename() + ": has no " + word + " " + quote(points_name) + "; it has: "
-                  + file.contents_text() + ". Name the one that holds the points (points_dataset)");
+    if (points_index == file.names().size())
+      return fail(file.filename() + ": has no " + word + " " + quote(points_name) + "; it has: " + file.contents_text()
+                  + ". Name the one that holds the points (points_dataset)");
     Rows rows;
-    if(find_rows(file, file.names()[points_index], rows))
+    if (find_rows(file, file.names()[points_index], rows))
       return read_by_rows(file, rows, sink);
     Number_array points, distances, indices;
-    if(!file.read(file.names()[points_index], points, error_))
+    if (!file.read(file.names()[points_index], points, error_))
       return false;
     const std::string points_word = word + " " + quote(file.names()[points_index]);
-    if(!set_points(file.filename(), points_word, points, 3))
+    if (!set_points(file.filename(), points_word, points, 3))
       return false;
-    if(options_.distances == nullptr && !read_distances(file, points, points_word, distances))
+    if (options_.distances == nullptr && !read_distances(file, points, points_word, distances))
       return false;
     return read_indices(file, points, points_word, indices)
-           && hand_out(file.filename(), points, distances, indices, sink);
+      && hand_out(file.filename(), points, distances, indices, sink);
   }
 
   // the same for a single array, whose fourth column holds the distances
@@ -126,9 +126,9 @@ public:
   bool read(const std::string& filename, const Number_array& points, Sink& sink)
   {
     const bool has_distances = !points.shape.empty() && points.shape.back() == 4;
-    if(!set_points(filename, "array", points, has_distances ? 4 : 3))
+    if (!set_points(filename, "array", points, has_distances ? 4 : 3))
       return false;
-    if(!has_distances && options_.distances == nullptr)
+    if (!has_distances && options_.distances == nullptr)
       return fail(filename + ": its array has the shape " + shape_text(points)
                   + ", so it has points but no distances; give the distances as a separate file, or as a fourth "
                     "column, or both arrays in one .npz file");
@@ -152,9 +152,9 @@ public:
     const std::string& wanted =
       options.distances_dataset.empty() ? options.distance_property : options.distances_dataset;
     return file.filename() + ": has no " + file.word_for_array() + " "
-           + (wanted.empty() ? "for the distances (looked for: " + join(known_distance_names()) + ")" : quote(wanted))
-           + "; it has: " + file.contents_text()
-           + ". Name the one that holds the distances (distances_dataset), or give the distances as a separate file";
+      + (wanted.empty() ? "for the distances (looked for: " + join(known_distance_names()) + ")" : quote(wanted))
+      + "; it has: " + file.contents_text()
+      + ". Name the one that holds the distances (distances_dataset), or give the distances as a separate file";
   }
 
 private:
@@ -169,12 +169,12 @@ private:
   {
     number_of_columns_ = number_of_columns;
     bool is_fine = false;
-    if(points.is_ragged)
-      is_fine = std::all_of(points.row_sizes.begin(), points.row_sizes.end(),
-                            [](std::uint64_t size) { return size % 3 == 0; });
+    if (points.is_ragged)
+      is_fine =
+        std::all_of(points.row_sizes.begin(), points.row_sizes.end(), [](std::uint64_t size) { return size % 3 == 0; });
     else
       is_fine = (points.shape.size() == 2 || points.shape.size() == 3) && points.shape.back() == number_of_columns;
-    if(!is_fine)
+    if (!is_fine)
       return fail(filename + ": its " + word + " has the shape " + shape_text(points)
                   + (points.is_ragged ? ", not all of multiples of three" : "")
                   + "; points have the shape N x 3, or in patches B x N x 3"
@@ -196,20 +196,20 @@ private:
   {
     std::vector<std::uint64_t> shape, distances_shape;
     std::uint64_t number_of_values;
-    if(options_.reads_indices || !file.find_rows(points_name, shape) || (shape.size() != 2 && shape.size() != 3)
-       || shape.back() != 3 || !find_number_of_values(shape, number_of_values))
+    if (options_.reads_indices || !file.find_rows(points_name, shape) || (shape.size() != 2 && shape.size() != 3)
+        || shape.back() != 3 || !find_number_of_values(shape, number_of_values))
       return false;
     rows.points = points_name;
     rows.count = shape.front();
     shape.pop_back();
     rows.points_per_row = shape.size() == 2 ? shape.back() : 1;
-    if(options_.distances != nullptr)
+    if (options_.distances != nullptr)
       return true;
     std::size_t index;
-    if(!find_distances(file, options_, index) || !file.find_rows(file.names()[index], distances_shape))
+    if (!find_distances(file, options_, index) || !file.find_rows(file.names()[index], distances_shape))
       return false;
     rows.distances = file.names()[index];
-    if(distances_shape.size() == shape.size() + 1 && distances_shape.back() == 1)
+    if (distances_shape.size() == shape.size() + 1 && distances_shape.back() == 1)
       distances_shape.pop_back();
     return distances_shape == shape;
   }
@@ -218,17 +218,17 @@ private:
   bool read_by_rows(Array_file& file, const Rows& rows, Sink& sink)
   {
     const std::uint64_t points_at_once = std::uint64_t(1) << 18;
-    const std::uint64_t step = (std::max)(std::uint64_t(1),
-                                          points_at_once / (std::max)(std::uint64_t(1), rows.points_per_row));
+    const std::uint64_t step =
+      (std::max)(std::uint64_t(1), points_at_once / (std::max)(std::uint64_t(1), rows.points_per_row));
     Number_array points, distances;
-    for(std::uint64_t first = 0; first < rows.count; first += step)
+    for (std::uint64_t first = 0; first < rows.count; first += step)
     {
       const std::uint64_t count = (std::min)(step, rows.count - first);
-      if(!file.read_rows(rows.points, first, count, points.values, error_)
-         || (!rows.distances.empty() && !file.read_rows(rows.distances, first, count, distances.values, error_)))
+      if (!file.read_rows(rows.points, first, count, points.values, error_)
+          || (!rows.distances.empty() && !file.read_rows(rows.distances, first, count, distances.values, error_)))
         return false;
       number_of_points_ = points.values.size() / 3;
-      if(!hand_out_some(file.filename(), points, distances, Number_array(), sink))
+      if (!hand_out_some(file.filename(), points, distances, Number_array(), sink))
         return false;
     }
     return filter_.is_cloud_usable(file.filename(), error_);
@@ -237,65 +237,64 @@ private:
   // whether an array has one number per point
   static bool is_one_per_point(const Number_array& array, const Number_array& points, std::size_t number_of_points)
   {
-    if(array.values.size() != number_of_points)
+    if (array.values.size() != number_of_points)
       return false;
-    if(array.is_ragged && points.is_ragged)
+    if (array.is_ragged && points.is_ragged)
       return std::equal(array.row_sizes.begin(), array.row_sizes.end(), points.row_sizes.begin(),
                         points.row_sizes.end(), [](std::uint64_t a, std::uint64_t b) { return 3 * a == b; });
-    if(array.is_ragged || points.is_ragged || array.shape.size() == 1)
+    if (array.is_ragged || points.is_ragged || array.shape.size() == 1)
       return true;
     std::vector<std::uint64_t> shape = array.shape;
-    if(shape.size() == points.shape.size() && shape.back() == 1)
+    if (shape.size() == points.shape.size() && shape.back() == 1)
       shape.pop_back();
     return std::equal(shape.begin(), shape.end(), points.shape.begin(), points.shape.end() - 1);
   }
 
   std::string mismatch_text(const Array_file& file, const std::string& name, const Number_array& array,
-                            const std::string& points_word, const Number_array& points,
-                            const std::string& what, const std::string& parameter) const
+                            const std::string& points_word, const Number_array& points, const std::string& what,
+                            const std::string& parameter) const
   {
     return file.filename() + ": its " + file.word_for_array() + " " + quote(name) + " has the shape "
-           + shape_text(array) + ", its " + points_word + " " + shape_text(points) + "; each point needs exactly one "
-           + what + ". Name another one (" + parameter + ")";
+      + shape_text(array) + ", its " + points_word + " " + shape_text(points) + "; each point needs exactly one " + what
+      + ". Name another one (" + parameter + ")";
   }
 
   bool read_distances(Array_file& file, const Number_array& points, const std::string& points_word,
                       Number_array& distances)
   {
     std::size_t index;
-    if(!find_distances(file, options_, index))
+    if (!find_distances(file, options_, index))
       return fail(no_distances_text(file, options_));
     const std::string& name = file.names()[index];
-    if(!file.read(name, distances, error_))
+    if (!file.read(name, distances, error_))
       return false;
     return is_one_per_point(distances, points, number_of_points_)
-           || fail(mismatch_text(file, name, distances, points_word, points, "distance", "distances_dataset"));
+      || fail(mismatch_text(file, name, distances, points_word, points, "distance", "distances_dataset"));
   }
 
-  bool read_indices(Array_file& file, const Number_array& points, const std::string& points_word,
-                    Number_array& indices)
+  bool read_indices(Array_file& file, const Number_array& points, const std::string& points_word, Number_array& indices)
   {
-    if(!options_.reads_indices)
+    if (!options_.reads_indices)
       return true;
     const std::string& wanted = options_.indices_dataset;
     std::size_t index = file.names().size();
-    if(!wanted.empty())
+    if (!wanted.empty())
       index = find_name(file.names(), wanted);
     else
-      for(const std::string& name : known_index_names())
-        if(index == file.names().size())
+      for (const std::string& name : known_index_names())
+        if (index == file.names().size())
           index = find_name(file.names(), name);
-    if(index == file.names().size())
+    if (index == file.names().size())
       return wanted.empty()
-             || fail(file.filename() + ": has no " + file.word_for_array() + " " + quote(wanted) + "; it has: "
-                     + file.contents_text() + ". Name the one that holds the indices (indices_dataset)");
+        || fail(file.filename() + ": has no " + file.word_for_array() + " " + quote(wanted)
+                + "; it has: " + file.contents_text() + ". Name the one that holds the indices (indices_dataset)");
     const std::string& name = file.names()[index];
-    if(!file.read(name, indices, error_))
+    if (!file.read(name, indices, error_))
       return false;
-    if(!is_one_per_point(indices, points, number_of_points_))
+    if (!is_one_per_point(indices, points, number_of_points_))
       return fail(mismatch_text(file, name, indices, points_word, points, "index", "indices_dataset"));
-    for(std::size_t i = 0; i < indices.values.size(); ++i)
-      if(!(indices.values[i] >= 0. && indices.values[i] <= 9e15) || indices.values[i] != std::floor(indices.values[i]))
+    for (std::size_t i = 0; i < indices.values.size(); ++i)
+      if (!(indices.values[i] >= 0. && indices.values[i] <= 9e15) || indices.values[i] != std::floor(indices.values[i]))
         return fail(file.filename() + ": its " + file.word_for_array() + " " + quote(name) + " has "
                     + number_to_string(indices.values[i]) + " at " + std::to_string(i)
                     + " (counted from 0), which is no index. Name another one (indices_dataset)");
@@ -315,15 +314,15 @@ private:
   {
     const std::string stopped = filename + ": " + Sample_chunk::stopped_text();
     Sample_chunk chunk;
-    for(std::size_t i = 0; i < number_of_points_; ++i)
+    for (std::size_t i = 0; i < number_of_points_; ++i)
     {
       const double* const p = points.values.data() + i * number_of_columns_;
-      Distance_sample sample = { p[0], p[1], p[2], number_of_columns_ == 4 ? p[3] : 0. };
-      if(!distances.values.empty())
+      Distance_sample sample = {p[0], p[1], p[2], number_of_columns_ == 4 ? p[3] : 0.};
+      if (!distances.values.empty())
         sample.distance = distances.values[i];
-      if(!indices.values.empty())
+      if (!indices.values.empty())
         sample.index = static_cast<std::uint64_t>(indices.values[i]);
-      if(filter_(sample, 0) && !chunk.add(sample, sink))
+      if (filter_(sample, 0) && !chunk.add(sample, sink))
         return fail(stopped);
     }
     return chunk.flush(sink) || fail(stopped);

@@ -43,14 +43,14 @@ public:
   bool read(Sink&& sink)
   {
     std::uint64_t count = 0;
-    if(!read_header(count))
+    if (!read_header(count))
       return false;
     std::vector<std::string_view> words;
-    for(std::uint64_t done = 0; done < count; ++done)
+    for (std::uint64_t done = 0; done < count; ++done)
     {
-      if(!next_words(words, true))
+      if (!next_words(words, true))
         return fail_truncated("after " + std::to_string(done) + " of " + std::to_string(count) + " vertices");
-      if(!read_vertex(words, sink))
+      if (!read_vertex(words, sink))
         return false;
     }
     return flush(sink) && filter_.is_cloud_usable(filename_, error_);
@@ -63,40 +63,42 @@ private:
   // OFF with what the vertices have besides a point: texture (ST), colour (C), normal (N)
   bool is_known_keyword(std::string_view word)
   {
-    if(word.size() < 3 || word.substr(word.size() - 3) != "OFF")
+    if (word.size() < 3 || word.substr(word.size() - 3) != "OFF")
       return false;
     word.remove_suffix(3);
-    for(const char* const prefix : { "ST", "C", "N" })
-      if(starts_with(word, prefix))
+    for (const char* const prefix : {"ST", "C", "N"})
+      if (starts_with(word, prefix))
         word.remove_prefix(std::string_view(prefix).size());
     return word.empty();
   }
 
   bool read_header(std::uint64_t& count)
   {
-    if(!check_start())
+    if (!check_start())
       return false;
     std::vector<std::string_view> words;
-    if(!next_words(words, true))
+    if (!next_words(words, true))
       return fail_truncated("before its header");
-    if(!is_known_keyword(words[0]))
+    if (!is_known_keyword(words[0]))
       return fail_at_line("an OFF file starts with OFF, COFF, NOFF, CNOFF, STOFF or the like, this one with "
                           + quote(words[0]) + "; vertices with more than three coordinates are not read");
-    if(words.size() > 1 && words[1] == "BINARY")
+    if (words.size() > 1 && words[1] == "BINARY")
       return fail_at_line("binary OFF files are not read; write it as ascii OFF, or as PLY");
     words.erase(words.begin());
-    if(words.empty() && !next_words(words, true))
+    if (words.empty() && !next_words(words, true))
       return fail_truncated("before its number of vertices");
-    if(!parse_count(words[0], count) || words.size() > 3)
+    if (!parse_count(words[0], count) || words.size() > 3)
       return fail_at_line("the numbers of vertices, faces and edges are expected, found " + quote(words[0])
                           + "; write them there");
-    if(options_.distances == nullptr)
-      return fail(filename_ + ": an OFF file has no distances; give them as a separate file, one per vertex, or "
-                              "write a PLY file with a property of the vertices for them");
+    if (options_.distances == nullptr)
+      return fail(filename_
+                  + ": an OFF file has no distances; give them as a separate file, one per vertex, or "
+                    "write a PLY file with a property of the vertices for them");
     // a vertex takes at least six bytes
-    if(input_.is_size_known() && count > input_.remaining() / 6 + 1)
+    if (input_.is_size_known() && count > input_.remaining() / 6 + 1)
       return fail(filename_ + ": its header promises " + std::to_string(count) + " vertices, which "
-                  + std::to_string(input_.remaining()) + " bytes cannot hold: it is truncated or its header is "
+                  + std::to_string(input_.remaining())
+                  + " bytes cannot hold: it is truncated or its header is "
                     "wrong; get a complete copy of the file");
     return true;
   }
@@ -104,14 +106,14 @@ private:
   template <class Sink>
   bool read_vertex(const std::vector<std::string_view>& words, Sink& sink)
   {
-    if(words.size() < 3)
+    if (words.size() < 3)
       return fail_at_line("a vertex with only " + plural(words.size(), "value", "values")
                           + "; x, y and z are needed, one vertex per line");
-    std::array<double, 3> values = {{ 0., 0., 0. }};
-    for(std::size_t i = 0; i < 3; ++i)
-      if(!parse_number(words[i], values[i]))
+    std::array<double, 3> values = {{0., 0., 0.}};
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!parse_number(words[i], values[i]))
         return fail_at_line("a coordinate is " + no_number_text(words[i]));
-    return keep({ values[0], values[1], values[2], 0. }, input_.line_number(), sink);
+    return keep({values[0], values[1], values[2], 0.}, input_.line_number(), sink);
   }
 };
 

@@ -37,7 +37,7 @@ namespace internal {
 
 inline double load_number(Ply_type type, const char* bytes, bool is_swapped)
 {
-  switch(type)
+  switch (type)
   {
   case Ply_type::INT8: return load_as<std::int8_t>(bytes, is_swapped);
   case Ply_type::UINT8: return load_as<std::uint8_t>(bytes, is_swapped);
@@ -64,15 +64,14 @@ public:
   // reads the header and checks it against the size of the file
   bool read_header()
   {
-    if(!check_start())
+    if (!check_start())
       return false;
-    if(!header_.read(input_, filename_, error_))
+    if (!header_.read(input_, filename_, error_))
       return false;
     vertex_element_ = header_.find_element("vertex");
-    if(vertex_element_ == header_.elements.size())
-      return fail(filename_ + ": its PLY header has no element \"vertex\"; it has: "
-                  + join(header_.element_names()));
-    if(!find_wanted_properties())
+    if (vertex_element_ == header_.elements.size())
+      return fail(filename_ + ": its PLY header has no element \"vertex\"; it has: " + join(header_.element_names()));
+    if (!find_wanted_properties())
       return false;
     const bool is_little_endian = (header_.format == Ply_format::BINARY_LITTLE_ENDIAN);
     swaps_bytes_ = is_binary() && is_little_endian != is_host_little_endian();
@@ -93,10 +92,10 @@ public:
   template <class Sink>
   bool read(Sink&& sink)
   {
-    for(std::size_t i = 0; i < vertex_element_; ++i)
-      if(!skip_element(header_.elements[i]))
+    for (std::size_t i = 0; i < vertex_element_; ++i)
+      if (!skip_element(header_.elements[i]))
         return fail_truncated("in the element " + quote(header_.elements[i].name) + ", before the vertices");
-    if(!(is_binary() ? read_binary_vertices(sink) : read_ascii_vertices(sink)))
+    if (!(is_binary() ? read_binary_vertices(sink) : read_ascii_vertices(sink)))
       return false;
     return is_end_as_promised() && filter_.is_cloud_usable(filename_, error_);
   }
@@ -107,8 +106,8 @@ public:
 private:
   struct Wanted_property
   {
-    std::size_t index = 0;            // among the properties
-    std::size_t offset = 0;           // in a binary entry without lists
+    std::size_t index = 0;  // among the properties
+    std::size_t offset = 0; // in a binary entry without lists
     Ply_type type = Ply_type::FLOAT32;
   };
 
@@ -119,21 +118,20 @@ private:
     const Ply_element& vertex = header_.elements[vertex_element_];
     const std::vector<std::string> names = vertex.property_names();
     number_of_wanted_ = (options_.distances == nullptr) ? 4 : 3;
-    static const char* const coordinates[] = { "x", "y", "z" };
-    for(std::size_t i = 0; i < number_of_wanted_; ++i)
+    static const char* const coordinates[] = {"x", "y", "z"};
+    for (std::size_t i = 0; i < number_of_wanted_; ++i)
     {
-      const std::size_t index = i < 3 ? find_name(names, coordinates[i])
-                                      : find_distance_name(names, options_.distance_property);
-      if(index == names.size())
-        return fail(missing_property_text(i < 3 ? coordinates[i] : options_.distance_property, i == 3,
-                                          names));
-      if(vertex.properties[index].is_list)
+      const std::size_t index =
+        i < 3 ? find_name(names, coordinates[i]) : find_distance_name(names, options_.distance_property);
+      if (index == names.size())
+        return fail(missing_property_text(i < 3 ? coordinates[i] : options_.distance_property, i == 3, names));
+      if (vertex.properties[index].is_list)
         return fail(filename_ + ": the vertex property " + quote(names[index])
                     + " is a list; a single number per point is needed");
       wanted_[i].index = index;
       wanted_[i].type = vertex.properties[index].type;
       wanted_[i].offset = 0;
-      for(std::size_t j = 0; j < index; ++j)
+      for (std::size_t j = 0; j < index; ++j)
         wanted_[i].offset += size_of(vertex.properties[j].type);
     }
     return true;
@@ -143,12 +141,12 @@ private:
                                     const std::vector<std::string>& names) const
   {
     std::string text = filename_ + ": its vertices have no property ";
-    if(is_distance && name.empty())
+    if (is_distance && name.empty())
       text += "for the distance (looked for: " + join(known_distance_names()) + ")";
     else
       text += quote(name);
     text += "; they have: " + join(names);
-    if(is_distance)
+    if (is_distance)
       text += ". Name the one that holds the distance (distance_property), or give the distances "
               "as a separate file";
     return text;
@@ -156,26 +154,24 @@ private:
 
   bool is_size_plausible()
   {
-    if(!input_.is_size_known())
+    if (!input_.is_size_known())
       return true;
-    for(std::size_t i = 0; i <= vertex_element_; ++i)
+    for (std::size_t i = 0; i <= vertex_element_; ++i)
     {
       const Ply_element& element = header_.elements[i];
       const std::uint64_t entry_size = element.entry_size();
-      if(entry_size == 0 || element.count <= input_.remaining() / entry_size)
+      if (entry_size == 0 || element.count <= input_.remaining() / entry_size)
         continue;
       const bool is_vertex = (i == vertex_element_);
       std::string promise = "header promises " + std::to_string(element.count) + " "
-                            + (is_vertex ? "vertices" : quote(element.name) + " entries");
-      if(element.count <= (std::numeric_limits<std::uint64_t>::max)() / entry_size)
+        + (is_vertex ? "vertices" : quote(element.name) + " entries");
+      if (element.count <= (std::numeric_limits<std::uint64_t>::max)() / entry_size)
         promise += " = " + std::string(element.has_list() ? "at least " : "")
-                   + std::to_string(element.count * entry_size) + " bytes";
+          + std::to_string(element.count * entry_size) + " bytes";
       const std::uint64_t rest = input_.remaining();
-      std::string text = filename_ + ": " + promise + ", the file has " + std::to_string(rest)
-                         + " after the header";
-      if(is_vertex && vertex_element_ == 0 && !element.has_list())
-        text += " (" + std::to_string(rest / entry_size) + " of " + std::to_string(element.count)
-                + " vertices)";
+      std::string text = filename_ + ": " + promise + ", the file has " + std::to_string(rest) + " after the header";
+      if (is_vertex && vertex_element_ == 0 && !element.has_list())
+        text += " (" + std::to_string(rest / entry_size) + " of " + std::to_string(element.count) + " vertices)";
       return fail(text + ": it is truncated or its header is wrong; get a complete copy of the file");
     }
     return true;
@@ -186,16 +182,16 @@ private:
   bool skip_element(const Ply_element& element)
   {
     const std::uint64_t entry_size = element.entry_size();
-    if(entry_size == 0)
+    if (entry_size == 0)
       return true;
-    if(!is_binary())
+    if (!is_binary())
       return skip_lines(element.count);
-    if(!element.has_list())
+    if (!element.has_list())
       return element.count <= (std::numeric_limits<std::uint64_t>::max)() / entry_size
-             && input_.skip(element.count * entry_size);
-    for(std::uint64_t i = 0; i < element.count; ++i)
-      for(const Ply_property& property : element.properties)
-        if(!skip_property(property))
+        && input_.skip(element.count * entry_size);
+    for (std::uint64_t i = 0; i < element.count; ++i)
+      for (const Ply_property& property : element.properties)
+        if (!skip_property(property))
           return false;
     return true;
   }
@@ -203,25 +199,25 @@ private:
   bool skip_lines(std::uint64_t count)
   {
     std::vector<std::string_view> words;
-    for(std::uint64_t i = 0; i < count; ++i)
-      if(!next_words(words, false))
+    for (std::uint64_t i = 0; i < count; ++i)
+      if (!next_words(words, false))
         return false;
     return true;
   }
 
   bool skip_property(const Ply_property& property)
   {
-    if(!property.is_list)
+    if (!property.is_list)
       return input_.skip(size_of(property.type));
     const std::size_t count_size = size_of(property.count_type);
-    if(input_.require(count_size) < count_size)
+    if (input_.require(count_size) < count_size)
       return false;
     const double count = load_number(property.count_type, input_.data(), swaps_bytes_);
     input_.consume(count_size);
-    if(count < 0. || count > 1e15)
-      return fail(filename_ + ": the list " + quote(property.name) + " claims to have "
-                  + number_to_string(count) + " entries: the file is damaged or its header is wrong; get a complete "
-                  "copy of it");
+    if (count < 0. || count > 1e15)
+      return fail(filename_ + ": the list " + quote(property.name) + " claims to have " + number_to_string(count)
+                  + " entries: the file is damaged or its header is wrong; get a complete "
+                    "copy of it");
     return input_.skip(static_cast<std::uint64_t>(count) * size_of(property.type));
   }
 
@@ -238,20 +234,20 @@ private:
   bool read_binary_vertices_of_fixed_size(Sink& sink)
   {
     const std::size_t entry_size = static_cast<std::size_t>(header_.elements[vertex_element_].entry_size());
-    if(entry_size > Chunked_input::chunk_size)
+    if (entry_size > Chunked_input::chunk_size)
       return fail(filename_ + ": a vertex of " + std::to_string(entry_size) + " bytes is too large");
-    const std::size_t per_chunk = (std::max)(std::size_t(1), (std::min)(Sample_chunk::capacity,
-                                                             Chunked_input::chunk_size / entry_size));
-    for(std::uint64_t left = number_of_vertices(); left > 0;)
+    const std::size_t per_chunk =
+      (std::max)(std::size_t(1), (std::min)(Sample_chunk::capacity, Chunked_input::chunk_size / entry_size));
+    for (std::uint64_t left = number_of_vertices(); left > 0;)
     {
       const std::size_t wanted = static_cast<std::size_t>((std::min)(left, std::uint64_t(per_chunk)));
       const std::size_t count = input_.require(wanted * entry_size) / entry_size;
-      for(std::size_t i = 0; i < count; ++i)
-        if(!keep(load_sample(input_.data() + i * entry_size), 0, sink))
+      for (std::size_t i = 0; i < count; ++i)
+        if (!keep(load_sample(input_.data() + i * entry_size), 0, sink))
           return false;
       input_.consume(count * entry_size);
       left -= count;
-      if(count < wanted)
+      if (count < wanted)
         return fail_truncated(after_vertices(number_of_vertices() - left));
     }
     return flush(sink);
@@ -259,10 +255,10 @@ private:
 
   Distance_sample load_sample(const char* entry) const
   {
-    std::array<double, 4> values = {{ 0., 0., 0., 0. }};
-    for(std::size_t i = 0; i < number_of_wanted_; ++i)
+    std::array<double, 4> values = {{0., 0., 0., 0.}};
+    for (std::size_t i = 0; i < number_of_wanted_; ++i)
       values[i] = load_number(wanted_[i].type, entry + wanted_[i].offset, swaps_bytes_);
-    return { values[0], values[1], values[2], values[3] };
+    return {values[0], values[1], values[2], values[3]};
   }
 
   template <class Sink>
@@ -270,17 +266,17 @@ private:
   {
     const std::vector<Ply_property>& properties = header_.elements[vertex_element_].properties;
     std::vector<double> values(properties.size(), 0.);
-    for(std::uint64_t done = 0; done < number_of_vertices(); ++done)
+    for (std::uint64_t done = 0; done < number_of_vertices(); ++done)
     {
-      for(std::size_t i = 0; i < properties.size(); ++i)
+      for (std::size_t i = 0; i < properties.size(); ++i)
       {
         const std::size_t size = size_of(properties[i].type);
-        if(!properties[i].is_list && input_.require(size) == size)
+        if (!properties[i].is_list && input_.require(size) == size)
           values[i] = load_number(properties[i].type, input_.data(), swaps_bytes_);
-        if(!skip_property(properties[i]))
+        if (!skip_property(properties[i]))
           return fail_truncated(after_vertices(done));
       }
-      if(!keep_values(values, 0, sink))
+      if (!keep_values(values, 0, sink))
         return false;
     }
     return flush(sink);
@@ -294,13 +290,13 @@ private:
     const std::vector<Ply_property>& properties = header_.elements[vertex_element_].properties;
     std::vector<double> values(properties.size(), 0.);
     std::vector<std::string_view> words;
-    for(std::uint64_t done = 0; done < number_of_vertices(); ++done)
+    for (std::uint64_t done = 0; done < number_of_vertices(); ++done)
     {
-      if(!next_words(words, false))
+      if (!next_words(words, false))
         return fail_truncated(after_vertices(done));
-      if(!parse_values(properties, words, values))
+      if (!parse_values(properties, words, values))
         return false;
-      if(!keep_values(values, input_.line_number(), sink))
+      if (!keep_values(values, input_.line_number(), sink))
         return false;
     }
     return flush(sink);
@@ -310,23 +306,22 @@ private:
                     std::vector<double>& values)
   {
     std::size_t position = 0;
-    for(std::size_t i = 0; i < properties.size(); ++i)
+    for (std::size_t i = 0; i < properties.size(); ++i)
     {
-      if(position >= words.size())
-        return fail_at_line("a vertex with only " + plural(words.size(), "value", "values")
-                            + "; the header promises " + std::to_string(properties.size())
+      if (position >= words.size())
+        return fail_at_line("a vertex with only " + plural(words.size(), "value", "values") + "; the header promises "
+                            + std::to_string(properties.size())
                             + " properties: complete the line, or correct the header");
       std::uint64_t list_size = 0;
-      if(!properties[i].is_list ? !parse_number(words[position], values[i])
-                                : !parse_count(words[position], list_size))
+      if (!properties[i].is_list ? !parse_number(words[position], values[i]) : !parse_count(words[position], list_size))
         return fail_at_line((properties[i].is_list ? "the number of entries of " : "the property ")
                             + quote(properties[i].name) + " is " + no_number_text(words[position]));
       ++position;
-      if(list_size > words.size() - position)
+      if (list_size > words.size() - position)
         return fail_at_line("the list " + quote(properties[i].name) + " is shorter than it says; correct the line");
       position += static_cast<std::size_t>(list_size);
     }
-    if(position < words.size())
+    if (position < words.size())
       return fail_at_line("a vertex with " + plural(words.size(), "value", "values")
                           + ", more than the header promises; correct one of the two");
     return true;
@@ -342,22 +337,23 @@ private:
   template <class Sink>
   bool keep_values(const std::vector<double>& values, std::size_t line, Sink& sink)
   {
-    return keep({ values[wanted_[0].index], values[wanted_[1].index], values[wanted_[2].index],
-                  number_of_wanted_ == 4 ? values[wanted_[3].index] : 0. }, line, sink);
+    return keep({values[wanted_[0].index], values[wanted_[1].index], values[wanted_[2].index],
+                 number_of_wanted_ == 4 ? values[wanted_[3].index] : 0.},
+                line, sink);
   }
 
   // a header that promises too little would drop points silently
   bool is_end_as_promised()
   {
-    for(std::size_t i = vertex_element_ + 1; i < header_.elements.size(); ++i)
-      if(header_.elements[i].count > 0)
+    for (std::size_t i = vertex_element_ + 1; i < header_.elements.size(); ++i)
+      if (header_.elements[i].count > 0)
         return true;
     std::vector<std::string_view> words;
     const bool has_more = is_binary()
       ? input_.require(static_cast<std::size_t>(header_.elements[vertex_element_].entry_size()))
         >= header_.elements[vertex_element_].entry_size()
       : next_words(words, false);
-    if(!has_more)
+    if (!has_more)
       return error_.empty();
     return fail(filename_ + ": holds more than the " + std::to_string(number_of_vertices())
                 + " vertices its header promises; correct the number there");

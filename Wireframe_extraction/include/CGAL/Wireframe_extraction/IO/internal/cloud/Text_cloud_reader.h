@@ -44,18 +44,18 @@ public:
   bool read(Sink&& sink)
   {
     std::vector<std::string_view> fields;
-    for(;;)
+    for (;;)
     {
       const Text_table::Row row = table_.next_row(fields);
-      if(row == Text_table::Row::FAILED)
+      if (row == Text_table::Row::FAILED)
         return false;
-      if(row == Text_table::Row::END)
+      if (row == Text_table::Row::END)
         break;
-      if(number_of_columns_ == 0 && is_preamble(fields))
+      if (number_of_columns_ == 0 && is_preamble(fields))
         continue;
-      if(number_of_columns_ == 0 && !find_columns(fields))
+      if (number_of_columns_ == 0 && !find_columns(fields))
         return false;
-      if(!read_row(fields, sink))
+      if (!read_row(fields, sink))
         return false;
     }
     return (chunk_.flush(sink) || fail_as_stopped()) && is_count_as_promised() && is_cloud_usable();
@@ -70,12 +70,12 @@ private:
   // A line of names, or the number of points alone, may stand before the first row of data.
   bool is_preamble(const std::vector<std::string_view>& fields)
   {
-    if(names_.empty() && std::none_of(fields.begin(), fields.end(), looks_like_number))
+    if (names_.empty() && std::none_of(fields.begin(), fields.end(), looks_like_number))
     {
       set_names(fields);
       return true;
     }
-    if(fields.size() != 1 || has_promised_count_)
+    if (fields.size() != 1 || has_promised_count_)
       return false;
     has_promised_count_ = parse_count(fields[0], promised_count_);
     return has_promised_count_;
@@ -84,10 +84,9 @@ private:
   void set_names(const std::vector<std::string_view>& fields)
   {
     names_.clear();
-    for(std::string_view field : fields)
+    for (std::string_view field : fields)
     {
-      if(field.size() >= 2 && (field.front() == '"' || field.front() == '\'')
-         && field.back() == field.front())
+      if (field.size() >= 2 && (field.front() == '"' || field.front() == '\'') && field.back() == field.front())
         field = field.substr(1, field.size() - 2);
       names_.emplace_back(field);
     }
@@ -99,12 +98,12 @@ private:
     std::vector<std::string_view> fields;
     const std::string_view comment = table_.last_comment();
     Text_table::split_by(Text_table::find_separator(comment), comment, fields);
-    if(fields.size() != number_of_columns || comment.find(':') != std::string_view::npos)
+    if (fields.size() != number_of_columns || comment.find(':') != std::string_view::npos)
       return;
     set_names(fields);
     const std::size_t none = names_.size();
-    if(find_name(names_, "x") == none || find_name(names_, "y") == none || find_name(names_, "z") == none
-       || (number_of_wanted() == 4 && find_distance_name(names_, options_.distance_property) == none))
+    if (find_name(names_, "x") == none || find_name(names_, "y") == none || find_name(names_, "z") == none
+        || (number_of_wanted() == 4 && find_distance_name(names_, options_.distance_property) == none))
       names_.clear();
   }
 
@@ -113,18 +112,15 @@ private:
     const std::size_t number_of_columns = fields.size();
     table_.fix_separator();
     number_of_columns_ = number_of_columns;
-    if(table_.has_decimal_commas(fields))
+    if (table_.has_decimal_commas(fields))
       return table_.fail_at_line("the numbers have decimal commas; decimals need a point, not a comma");
-    if(number_of_columns < number_of_wanted())
-      return table_.fail_at_line("the row has " + plural(number_of_columns, "column", "columns")
-                                 + ", at least "
-                                 + (number_of_wanted() == 4 ? "4 (x y z distance)" : "3 (x y z)")
-                                 + " are needed"
-                                 + (number_of_columns == 3 ? "; distances may also come as a separate file"
-                                                           : ""));
-    if(names_.empty())
+    if (number_of_columns < number_of_wanted())
+      return table_.fail_at_line("the row has " + plural(number_of_columns, "column", "columns") + ", at least "
+                                 + (number_of_wanted() == 4 ? "4 (x y z distance)" : "3 (x y z)") + " are needed"
+                                 + (number_of_columns == 3 ? "; distances may also come as a separate file" : ""));
+    if (names_.empty())
       take_names_from_comment(number_of_columns);
-    else if(names_.size() != number_of_columns)
+    else if (names_.size() != number_of_columns)
       return table_.fail_at_line("the row has " + plural(number_of_columns, "column", "columns")
                                  + ", the line of names has " + std::to_string(names_.size())
                                  + "; name every column once");
@@ -133,23 +129,23 @@ private:
 
   bool find_coordinate_columns()
   {
-    static const char* const coordinates[] = { "x", "y", "z" };
+    static const char* const coordinates[] = {"x", "y", "z"};
     std::size_t number_of_found = 0;
-    for(std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3; ++i)
     {
       columns_[i] = find_name(names_, coordinates[i]);
       number_of_found += (columns_[i] < names_.size()) ? 1 : 0;
     }
-    if(number_of_found == 0)
-      columns_ = {{ 0, 1, 2, 3 }};
-    else if(number_of_found < 3)
+    if (number_of_found == 0)
+      columns_ = {{0, 1, 2, 3}};
+    else if (number_of_found < 3)
       return fail_at_names("the columns of x, y and z cannot all be found; name them so");
     return true;
   }
 
   bool find_distance_column(const std::vector<std::string_view>& fields)
   {
-    if(!(names_.empty() ? find_distance_column_by_number(fields) : find_distance_column_by_name()))
+    if (!(names_.empty() ? find_distance_column_by_number(fields) : find_distance_column_by_name()))
       return false;
     filter_.set_distance_place(" in column " + std::to_string(columns_[3] + 1)
                                + (names_.empty() ? "" : ", " + quote(names_[columns_[3]]) + ","));
@@ -161,28 +157,32 @@ private:
   {
     double square = 0., value;
     return fields.size() > 5
-           && std::all_of(fields.begin() + 3, fields.begin() + 6, [&](std::string_view field)
-              {
-                const bool is_number = parse_number(field, value);
-                square += value * value;
-                return is_number;
-              })
-           && std::abs(square - 1.) < 0.02;
+      && std::all_of(fields.begin() + 3, fields.begin() + 6,
+                     [&](std::string_view field) {
+                       const bool is_number = parse_number(field, value);
+                       square += value * value;
+                       return is_number;
+                     })
+      && std::abs(square - 1.) < 0.02;
   }
 
   bool find_distance_column_by_number(const std::vector<std::string_view>& fields)
   {
     const std::string& wanted = options_.distance_property;
     std::size_t number = 4;
-    if(wanted.empty() && may_have_normals(fields))
-      return table_.fail_at_line("the row has " + std::to_string(number_of_columns_) + " columns without names, of "
-                                 "which 4 to 6 look like a normal; say which one holds the distance by its number, "
-                                 "counted from 1 (distance_property), or put a line of names first");
-    if(!wanted.empty() && (!parse_count(std::string_view(wanted), number) || number < 4 || number > number_of_columns_))
-      return table_.fail_at_line("no column is named " + quote(wanted) + ", as the file's columns are without names; "
-                                 "give the number of the one with the distance, from 4 to "
-                                 + std::to_string(number_of_columns_) + " (distance_property), or put a line of names "
-                                 "first");
+    if (wanted.empty() && may_have_normals(fields))
+      return table_.fail_at_line("the row has " + std::to_string(number_of_columns_)
+                                 + " columns without names, of "
+                                   "which 4 to 6 look like a normal; say which one holds the distance by its number, "
+                                   "counted from 1 (distance_property), or put a line of names first");
+    if (!wanted.empty()
+        && (!parse_count(std::string_view(wanted), number) || number < 4 || number > number_of_columns_))
+      return table_.fail_at_line("no column is named " + quote(wanted)
+                                 + ", as the file's columns are without names; "
+                                   "give the number of the one with the distance, from 4 to "
+                                 + std::to_string(number_of_columns_)
+                                 + " (distance_property), or put a line of names "
+                                   "first");
     columns_[3] = number - 1;
     return true;
   }
@@ -190,11 +190,11 @@ private:
   bool find_distance_column_by_name()
   {
     columns_[3] = find_distance_name(names_, options_.distance_property);
-    if(columns_[3] < names_.size())
+    if (columns_[3] < names_.size())
       return true;
-    if(!options_.distance_property.empty())
+    if (!options_.distance_property.empty())
       return fail_at_names("no column is named " + quote(options_.distance_property));
-    if(names_.size() > 4)
+    if (names_.size() > 4)
       return fail_at_names("no column is named as the distance (looked for: " + join(known_distance_names())
                            + "); name the right one (distance_property)");
     columns_[3] = 6 - columns_[0] - columns_[1] - columns_[2];
@@ -209,19 +209,18 @@ private:
   template <class Sink>
   bool read_row(const std::vector<std::string_view>& fields, Sink& sink)
   {
-    if(fields.size() != number_of_columns_)
-      return table_.fail_at_line("the row has " + plural(fields.size(), "column", "columns")
-                                 + ", the rows before have " + std::to_string(number_of_columns_)
-                                 + "; complete it, or leave it out");
-    std::array<double, 4> values = {{ 0., 0., 0., 0. }};
-    for(std::size_t i = 0; i < number_of_wanted(); ++i)
+    if (fields.size() != number_of_columns_)
+      return table_.fail_at_line("the row has " + plural(fields.size(), "column", "columns") + ", the rows before have "
+                                 + std::to_string(number_of_columns_) + "; complete it, or leave it out");
+    std::array<double, 4> values = {{0., 0., 0., 0.}};
+    for (std::size_t i = 0; i < number_of_wanted(); ++i)
     {
       const std::string_view field = fields[columns_[i]];
-      if(!parse_number(field, values[i]))
+      if (!parse_number(field, values[i]))
         return table_.fail_at_line("column " + std::to_string(columns_[i] + 1) + " is " + no_number_text(field)
                                    + ", or leave the line out");
     }
-    Distance_sample sample = { values[0], values[1], values[2], values[3] };
+    Distance_sample sample = {values[0], values[1], values[2], values[3]};
     return !filter_(sample, table_.line_number()) || chunk_.add(sample, sink) || fail_as_stopped();
   }
 
@@ -229,7 +228,7 @@ private:
 
   bool is_count_as_promised()
   {
-    if(!has_promised_count_ || promised_count_ == filter_.number_of_samples())
+    if (!has_promised_count_ || promised_count_ == filter_.number_of_samples())
       return true;
     return table_.fail(table_.filename() + ": its first line promises " + std::to_string(promised_count_)
                        + " points, it holds " + std::to_string(filter_.number_of_samples())
@@ -240,9 +239,9 @@ private:
   bool is_cloud_usable()
   {
     std::string error;
-    if(table_.is_empty_file())
+    if (table_.is_empty_file())
       error = table_.filename() + ": " + empty_file_text();
-    else if(filter_.is_cloud_usable(table_.filename(), error))
+    else if (filter_.is_cloud_usable(table_.filename(), error))
       return true;
     return table_.fail(error);
   }
@@ -252,7 +251,7 @@ private:
   Sample_filter filter_;
   std::vector<std::string> names_;
   std::size_t number_of_columns_ = 0;
-  std::array<std::size_t, 4> columns_ = {{ 0, 1, 2, 3 }};
+  std::array<std::size_t, 4> columns_ = {{0, 1, 2, 3}};
   bool has_promised_count_ = false;
   std::size_t promised_count_ = 0;
   Sample_chunk chunk_;

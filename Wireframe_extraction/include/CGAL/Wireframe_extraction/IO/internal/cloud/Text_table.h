@@ -32,35 +32,41 @@ class Text_table
 public:
   Text_table(std::istream& stream, const std::string& filename) : input_(stream), filename_(filename) {}
 
-  enum class Row { DATA, END, FAILED };
+  enum class Row
+  {
+    DATA,
+    END,
+    FAILED
+  };
 
   // The first line of data decides what separates the columns: a semicolon if it has one, else a comma if it
   // has one, else blanks. So a decimal comma can never pass as a separator unnoticed.
   Row next_row(std::vector<std::string_view>& fields)
   {
     std::string_view line;
-    for(;;)
+    for (;;)
     {
       const Chunked_input::Line_status status = input_.next_line(line);
-      if(status == Chunked_input::Line_status::TOO_LONG)
+      if (status == Chunked_input::Line_status::TOO_LONG)
         return fail_after_line("is longer than a line of numbers can be; is this a text file?");
-      if(status == Chunked_input::Line_status::END)
+      if (status == Chunked_input::Line_status::END)
         return input_.has_failed() ? fail_after_line("reading failed") : Row::END;
-      if(input_.line_number() == 1 && starts_with(line, "\xEF\xBB\xBF"))
+      if (input_.line_number() == 1 && starts_with(line, "\xEF\xBB\xBF"))
         line.remove_prefix(3);
       line = trim(line);
-      if(is_comment(line))
+      if (is_comment(line))
       {
-        if(number_of_rows_ == 0)
+        if (number_of_rows_ == 0)
           last_comment_ = std::string(line.substr(line[0] == '#' ? 1 : 2));
         continue;
       }
       line = trim(line.substr(0, line.find('#')));
-      if(line.empty())
+      if (line.empty())
         continue;
-      if(!is_separator_fixed_ && has_control_characters(line))
-        return fail_with(line_number(), "holds bytes that are no text; only plain text in ASCII or UTF-8 "
-                                        "is read");
+      if (!is_separator_fixed_ && has_control_characters(line))
+        return fail_with(line_number(),
+                         "holds bytes that are no text; only plain text in ASCII or UTF-8 "
+                         "is read");
       split(line, fields);
       return Row::DATA;
     }
@@ -74,12 +80,12 @@ public:
   {
     std::vector<std::string_view> words;
     double value;
-    return separator_ == ',' && std::any_of(fields.begin(), fields.end(), [&](std::string_view field)
-    {
-      split_at_blanks(field, words);
-      return words.size() > 1 && std::all_of(words.begin(), words.end(),
-                                             [&](std::string_view word) { return parse_number(word, value); });
-    });
+    return separator_ == ',' && std::any_of(fields.begin(), fields.end(), [&](std::string_view field) {
+             split_at_blanks(field, words);
+             return words.size() > 1 && std::all_of(words.begin(), words.end(), [&](std::string_view word) {
+                      return parse_number(word, value);
+                    });
+           });
   }
 
   // the last comment before the first row of data
@@ -103,24 +109,21 @@ public:
 
   static char find_separator(std::string_view line)
   {
-    if(line.find(';') != std::string_view::npos)
+    if (line.find(';') != std::string_view::npos)
       return ';';
     return line.find(',') != std::string_view::npos ? ',' : ' ';
   }
 
   static void split_by(char separator, std::string_view line, std::vector<std::string_view>& fields)
   {
-    if(separator == ' ')
+    if (separator == ' ')
       split_at_blanks(line, fields);
     else
       split_at(separator, line, fields);
   }
 
 private:
-  static bool is_comment(std::string_view line)
-  {
-    return starts_with(line, "#") || starts_with(line, "//");
-  }
+  static bool is_comment(std::string_view line) { return starts_with(line, "#") || starts_with(line, "//"); }
 
   static bool has_control_characters(std::string_view line)
   {
@@ -134,15 +137,12 @@ private:
     return Row::FAILED;
   }
 
-  Row fail_after_line(const std::string& what)
-  {
-    return fail_with(line_number() + 1, what);
-  }
+  Row fail_after_line(const std::string& what) { return fail_with(line_number() + 1, what); }
 
   void split(std::string_view line, std::vector<std::string_view>& fields)
   {
     ++number_of_rows_;
-    if(!is_separator_fixed_)
+    if (!is_separator_fixed_)
       separator_ = find_separator(line);
     split_by(separator_, line, fields);
   }
@@ -160,8 +160,8 @@ private:
 inline bool looks_like_number(std::string_view field)
 {
   double value;
-  return !field.empty() && (std::string_view("0123456789+-.").find(field[0]) != std::string_view::npos
-                            || parse_number(field, value));
+  return !field.empty()
+    && (std::string_view("0123456789+-.").find(field[0]) != std::string_view::npos || parse_number(field, value));
 }
 
 } // namespace internal

@@ -35,7 +35,7 @@ Number load_as(const char* bytes, bool is_swapped)
 {
   char ordered[sizeof(Number)];
   std::memcpy(ordered, bytes, sizeof(Number));
-  if(is_swapped)
+  if (is_swapped)
     std::reverse(ordered, ordered + sizeof(Number));
   Number number;
   std::memcpy(&number, ordered, sizeof(Number));
@@ -58,17 +58,19 @@ inline bool is_number_type(char kind, std::size_t size)
 
 inline double load_number(char kind, std::size_t size, const char* bytes, bool is_swapped)
 {
-  if(kind == 'f')
+  if (kind == 'f')
     return size == 4 ? load_as<float>(bytes, is_swapped) : load_as<double>(bytes, is_swapped);
   const bool is_signed = (kind == 'i');
-  switch(size)
+  switch (size)
   {
   case 1: return is_signed ? load_as<std::int8_t>(bytes, is_swapped) : load_as<std::uint8_t>(bytes, is_swapped);
   case 2: return is_signed ? load_as<std::int16_t>(bytes, is_swapped) : load_as<std::uint16_t>(bytes, is_swapped);
-  case 4: return is_signed ? static_cast<double>(load_as<std::int32_t>(bytes, is_swapped))
-                           : static_cast<double>(load_as<std::uint32_t>(bytes, is_swapped));
-  default: return is_signed ? static_cast<double>(load_as<std::int64_t>(bytes, is_swapped))
-                            : static_cast<double>(load_as<std::uint64_t>(bytes, is_swapped));
+  case 4:
+    return is_signed ? static_cast<double>(load_as<std::int32_t>(bytes, is_swapped))
+                     : static_cast<double>(load_as<std::uint32_t>(bytes, is_swapped));
+  default:
+    return is_signed ? static_cast<double>(load_as<std::int64_t>(bytes, is_swapped))
+                     : static_cast<double>(load_as<std::uint64_t>(bytes, is_swapped));
   }
 }
 
@@ -76,7 +78,7 @@ inline double load_number(char kind, std::size_t size, const char* bytes, bool i
 template <class Unsigned>
 void append_little_endian(Unsigned bits, std::string& bytes)
 {
-  for(std::size_t i = 0; i < sizeof(Unsigned); ++i)
+  for (std::size_t i = 0; i < sizeof(Unsigned); ++i)
     bytes += static_cast<char>(static_cast<unsigned char>(bits >> (8 * i)));
 }
 
@@ -102,12 +104,12 @@ inline std::string to_base64(const std::string& bytes)
   const char* const digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
   text.reserve(bytes.size() / 3 * 4 + 4);
-  for(std::size_t i = 0; i < bytes.size(); i += 3)
+  for (std::size_t i = 0; i < bytes.size(); i += 3)
   {
     std::uint32_t bits = 0;
-    for(std::size_t j = 0; j < 3; ++j)
+    for (std::size_t j = 0; j < 3; ++j)
       bits = (bits << 8) | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0u);
-    for(std::size_t j = 0; j < 4; ++j)
+    for (std::size_t j = 0; j < 4; ++j)
       text += (i + j > bytes.size()) ? '=' : digits[(bits >> (18 - 6 * j)) & 63u];
   }
   return text;

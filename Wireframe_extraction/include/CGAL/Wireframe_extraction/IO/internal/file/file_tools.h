@@ -33,22 +33,22 @@ inline std::string system_error_text(int code)
 // opens a file for reading its bytes; says why if that is impossible
 inline bool open_input_file(const std::string& filename, std::ifstream& stream, std::string& error)
 {
-  if(filename.empty())
+  if (filename.empty())
   {
     error = "the name of the file to read is empty";
     return false;
   }
   std::error_code code;
-  if(std::filesystem::is_directory(filename, code))
+  if (std::filesystem::is_directory(filename, code))
   {
     error = filename + ": is a directory, not a file; name a file in it";
     return false;
   }
   errno = 0;
   stream.open(filename, std::ios::in | std::ios::binary);
-  if(!stream)
+  if (!stream)
     error = filename + ": cannot be opened for reading: " + system_error_text(errno)
-            + (errno == ENOENT ? "; check its name" : "");
+      + (errno == ENOENT ? "; check its name" : "");
   return stream.is_open();
 }
 
@@ -66,8 +66,8 @@ inline std::string lower_extension(const std::string& filename)
 // whether files with this extension, in lower case, are written by OpenCASCADE
 inline bool is_cad_extension(std::string_view extension)
 {
-  for(const char* const known : { ".step", ".stp", ".iges", ".igs", ".brep" })
-    if(extension == known)
+  for (const char* const known : {".step", ".stp", ".iges", ".igs", ".brep"})
+    if (extension == known)
       return true;
   return false;
 }

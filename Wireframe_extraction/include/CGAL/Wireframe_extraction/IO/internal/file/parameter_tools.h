@@ -30,7 +30,7 @@ void set_error_message(const NamedParameters& np, const std::string& text)
   namespace internal_np = CGAL::Wireframe_extraction::internal_np;
   std::string* const target = CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(np, internal_np::error_message), static_cast<std::string*>(nullptr));
-  if(target != nullptr)
+  if (target != nullptr)
     *target = text;
 }
 
@@ -47,8 +47,8 @@ template <class GeomTraits, class NamedParameters>
 GeomTraits get_geom_traits(const NamedParameters& np)
 {
   namespace internal_np = CGAL::Wireframe_extraction::internal_np;
-  return CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, internal_np::geom_traits), GeomTraits());
+  return CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::geom_traits),
+                                            GeomTraits());
 }
 
 // writes by `write(stream, error)` into a stream, tells the caller what went wrong, and returns whether all
@@ -57,7 +57,7 @@ template <class NamedParameters, class Write>
 bool write_to_stream(std::ostream& stream, const NamedParameters& np, Write&& write)
 {
   std::string error;
-  if(write(stream, error) && !stream.flush())
+  if (write(stream, error) && !stream.flush())
     error = "the stream does not take the data";
   return report(np, error);
 }

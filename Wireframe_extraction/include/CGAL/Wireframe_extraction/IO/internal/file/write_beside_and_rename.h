@@ -33,16 +33,16 @@ public:
   explicit File_beside(const std::filesystem::path& target)
   {
     // "x" creates the file only if there is none, so no other file can be lost, nor two writers collide
-    for(int i = 0; i < 1000; ++i)
+    for (int i = 0; i < 1000; ++i)
     {
       path_ = target;
       path_ += ".partial" + std::to_string(i);
       errno = 0;
       std::FILE* const file = std::fopen(path_.string().c_str(), "wbx");
       error_code_ = (file == nullptr) ? errno : 0;
-      if(file != nullptr)
+      if (file != nullptr)
         std::fclose(file);
-      if(error_code_ != EEXIST)
+      if (error_code_ != EEXIST)
         break;
     }
     is_there_ = (error_code_ == 0);
@@ -54,7 +54,7 @@ public:
   ~File_beside()
   {
     std::error_code ignored;
-    if(is_there_)
+    if (is_there_)
       std::filesystem::remove(path_, ignored);
   }
 
@@ -66,10 +66,10 @@ public:
   {
     std::error_code code;
     const std::filesystem::file_status status = std::filesystem::status(target, code);
-    if(std::filesystem::is_regular_file(status))
+    if (std::filesystem::is_regular_file(status))
       std::filesystem::permissions(path_, status.permissions(), code);
     std::filesystem::rename(path_, target, code);
-    if(code)
+    if (code)
       reason = code.message();
     else
       is_there_ = false;
@@ -84,24 +84,23 @@ private:
 
 // opens a file, lets `write(stream, error)` fill it, and closes it; returns whether every byte arrived
 template <class Write>
-bool write_and_close(const std::filesystem::path& path, const std::string& filename, Write&& write,
-                     std::string& error)
+bool write_and_close(const std::filesystem::path& path, const std::string& filename, Write&& write, std::string& error)
 {
   errno = 0;
   std::ofstream stream(path, std::ios::out | std::ios::binary | std::ios::trunc);
-  if(!stream)
+  if (!stream)
   {
     error = filename + ": cannot be opened for writing: " + system_error_text(errno);
     return false;
   }
   const bool is_written = write(static_cast<std::ostream&>(stream), error);
-  if(!is_written && error.empty() && stream)
+  if (!is_written && error.empty() && stream)
     error = "nothing could be written";
   errno = 0;
   stream.close();
-  if(!stream && error.empty())
+  if (!stream && error.empty())
     error = "cannot be written completely: " + system_error_text(errno) + " (is the disk full?)";
-  if(!error.empty())
+  if (!error.empty())
     error = filename + ": " + error;
   return error.empty();
 }
@@ -114,7 +113,7 @@ bool write_beside_and_rename(const std::string& filename, Write&& write, std::st
 {
   namespace fs = std::filesystem;
   error.clear();
-  if(filename.empty())
+  if (filename.empty())
   {
     error = "the name of the file to write is empty";
     return false;
@@ -122,36 +121,36 @@ bool write_beside_and_rename(const std::string& filename, Write&& write, std::st
   std::error_code code;
   fs::path target(filename);
   const fs::file_status status = fs::status(target, code);
-  if(fs::is_directory(status))
+  if (fs::is_directory(status))
   {
     error = filename + ": is a directory, not a file";
     return false;
   }
   // devices and pipes must be written to, not be replaced
-  if(fs::exists(status) && !fs::is_regular_file(status))
+  if (fs::exists(status) && !fs::is_regular_file(status))
     return write_and_close(target, filename, write, error);
-  if(fs::exists(status))
+  if (fs::exists(status))
   {
     // a link stays one, and a file that is protected against writing stays as it is
     target = fs::canonical(target, code);
     errno = 0;
-    if(code || !std::ofstream(target, std::ios::out | std::ios::binary | std::ios::app))
+    if (code || !std::ofstream(target, std::ios::out | std::ios::binary | std::ios::app))
     {
       error = filename + ": cannot be overwritten: " + (code ? code.message() : system_error_text(errno));
       return false;
     }
   }
   File_beside file(target);
-  if(!file.is_there())
+  if (!file.is_there())
   {
-    error = filename + ": cannot be written, its directory does not take a new file: "
-            + system_error_text(file.error_code());
+    error =
+      filename + ": cannot be written, its directory does not take a new file: " + system_error_text(file.error_code());
     return false;
   }
-  if(!write_and_close(file.path(), filename, write, error))
+  if (!write_and_close(file.path(), filename, write, error))
     return false;
   std::string reason;
-  if(!file.rename_to(target, reason))
+  if (!file.rename_to(target, reason))
     error = filename + ": cannot be replaced by the file written beside it: " + reason;
   return error.empty();
 }

@@ -38,7 +38,7 @@ namespace internal {
 inline const char* opencascade_name_of(Wireframe_extraction::Length_unit unit)
 {
   typedef Wireframe_extraction::Length_unit Unit;
-  switch(unit)
+  switch (unit)
   {
   case Unit::MICROMETER: return "UM";
   case Unit::CENTIMETER: return "CM";
@@ -55,8 +55,7 @@ class Opencascade_session
 {
 public:
   Opencascade_session()
-    : lock_(mutex()), unit_(UnitsMethods::GetCasCadeLengthUnit()),
-      printers_(Message::DefaultMessenger()->Printers())
+    : lock_(mutex()), unit_(UnitsMethods::GetCasCadeLengthUnit()), printers_(Message::DefaultMessenger()->Printers())
   {
     Message::DefaultMessenger()->ChangePrinters().Clear();
   }
@@ -66,7 +65,7 @@ public:
 
   ~Opencascade_session()
   {
-    for(auto setting = settings_.rbegin(); setting != settings_.rend(); ++setting)
+    for (auto setting = settings_.rbegin(); setting != settings_.rend(); ++setting)
       Interface_Static::SetCVal(setting->first.c_str(), setting->second.c_str());
     UnitsMethods::SetCasCadeLengthUnit(unit_);
     Message::DefaultMessenger()->ChangePrinters() = printers_;
@@ -76,9 +75,9 @@ public:
   void set(const char* name, const char* value)
   {
     const bool is_known = Interface_Static::IsPresent(name);
-    if(is_known)
+    if (is_known)
       settings_.emplace_back(name, Interface_Static::CVal(name));
-    if(!is_known || !Interface_Static::SetCVal(name, value))
+    if (!is_known || !Interface_Static::SetCVal(name, value))
       throw Standard_Failure((std::string("the setting ") + name + " cannot be " + value).c_str());
   }
 
@@ -100,7 +99,7 @@ private:
   std::lock_guard<std::mutex> lock_;
   const double unit_;
   const Message_SequenceOfPrinters printers_;
-  std::vector<std::pair<std::string, std::string> > settings_;
+  std::vector<std::pair<std::string, std::string>> settings_;
 };
 
 // how OpenCASCADE is to write numbers: with as many digits as its buffers for them hold
@@ -116,14 +115,14 @@ bool write_with_opencascade(std::ostream& out, Write&& write, std::string& error
   try
   {
     Opencascade_session session;
-    if(!write(session, static_cast<std::ostream&>(text), error))
+    if (!write(session, static_cast<std::ostream&>(text), error))
       return false;
   }
-  catch(const Standard_Failure& failure)
+  catch (const Standard_Failure& failure)
   {
     const char* const message = failure.GetMessageString();
     error = std::string("OpenCASCADE cannot hold this wireframe: ") + failure.DynamicType()->Name()
-            + (message == nullptr || *message == '\0' ? "" : std::string(", ") + message);
+      + (message == nullptr || *message == '\0' ? "" : std::string(", ") + message);
     return false;
   }
   out << text.str();

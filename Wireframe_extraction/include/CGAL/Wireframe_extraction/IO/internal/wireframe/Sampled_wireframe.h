@@ -42,23 +42,22 @@ public:
 
   // samples by arc length; a step of 0 stands for the default
   template <class GeomTraits>
-  bool sample(const CGAL::Wireframe<GeomTraits>& wireframe, double step, const GeomTraits& traits,
-              std::string& error)
+  bool sample(const CGAL::Wireframe<GeomTraits>& wireframe, double step, const GeomTraits& traits, std::string& error)
   {
     error = wireframe_problem(wireframe, traits);
-    if(error.empty() && !(step >= 0. && std::isfinite(step)))
+    if (error.empty() && !(step >= 0. && std::isfinite(step)))
       error = "sampling_step is " + number_to_string(step) + "; it has to be finite and positive";
-    if(!error.empty())
+    if (!error.empty())
       return false;
-    if(step == 0.)
+    if (step == 0.)
       step = default_step(wireframe);
-    for(const auto& vertex : wireframe.vertices)
+    for (const auto& vertex : wireframe.vertices)
       points.push_back(coordinates_of(vertex, traits));
-    for(std::size_t i = 0; i < wireframe.curves.size(); ++i)
-      if(!sample_curve(wireframe.curves[i], step, traits))
+    for (std::size_t i = 0; i < wireframe.curves.size(); ++i)
+      if (!sample_curve(wireframe.curves[i], step, traits))
       {
         error = "curve " + std::to_string(i) + " cannot be sampled at a step of " + number_to_string(step)
-                + ": it is too long for that; give a larger sampling_step";
+          + ": it is too long for that; give a larger sampling_step";
         return false;
       }
     return true;
@@ -69,10 +68,10 @@ private:
   static double default_step(const CGAL::Wireframe<GeomTraits>& wireframe)
   {
     const double sampling_distance = CGAL::to_double(wireframe.sampling_distance);
-    if(sampling_distance > 0.)
+    if (sampling_distance > 0.)
       return 0.25 * sampling_distance;
     double longest = 0.;
-    for(const auto& curve : wireframe.curves)
+    for (const auto& curve : wireframe.curves)
       longest = (std::max)(longest, CGAL::to_double(curve.spline.length()));
     return longest > 0. ? 0.01 * longest : 1.;
   }
@@ -82,7 +81,7 @@ private:
   {
     const double number_of_steps = std::ceil(CGAL::to_double(curve.spline.length()) / step * (1. - 1e-12));
     // fails for what is not a number, too
-    if(!(number_of_steps <= 1e7))
+    if (!(number_of_steps <= 1e7))
       return false;
     // fewer would fold a closed curve into a point or a segment
     const std::size_t least = curve.is_closed() ? 3 : 1;
@@ -93,9 +92,8 @@ private:
 
     std::vector<std::size_t> polyline;
     polyline.reserve(count);
-    for(std::size_t i = 0; i + 1 < count; ++i)
-      polyline.push_back(i == 0 && has_vertex(curve) ? curve.source
-                                                     : add_point(coordinates_of(samples[i], traits)));
+    for (std::size_t i = 0; i + 1 < count; ++i)
+      polyline.push_back(i == 0 && has_vertex(curve) ? curve.source : add_point(coordinates_of(samples[i], traits)));
     polyline.push_back(has_vertex(curve) ? curve.target : polyline.front());
     polylines.push_back(polyline);
     return true;
@@ -123,10 +121,10 @@ bool sample_wireframe(const CGAL::Wireframe<GeomTraits>& wireframe, const NamedP
   typedef CGAL::internal_np::Param_not_found Not_found;
   const auto step = CGAL::parameters::get_parameter(np, internal_np::sampling_step);
   double value = 0.;
-  if constexpr(!std::is_same<std::decay_t<decltype(step)>, Not_found>::value)
+  if constexpr (!std::is_same<std::decay_t<decltype(step)>, Not_found>::value)
   {
     value = CGAL::to_double(step);
-    if(!(value > 0.))
+    if (!(value > 0.))
     {
       error = "sampling_step is " + number_to_string(value) + "; it has to be finite and positive";
       return false;

@@ -58,20 +58,20 @@ namespace internal {
 struct Wireframe_shape
 {
   // curves in the order in which they are passed, and whether against their own direction
-  typedef std::vector<std::pair<std::size_t, bool> > Path;
+  typedef std::vector<std::pair<std::size_t, bool>> Path;
 
   struct Child
   {
     Path path;
-    bool is_wire = false;   // else a single edge
+    bool is_wire = false; // else a single edge
   };
 
   TopoDS_Compound compound;
-  std::vector<TopoDS_Edge> edges;   // of the curves, in their order
-  std::vector<Child> children;      // of the compound, in its order
-  double size = 0.;                 // the diagonal of the box around all control points
-  double largest_coordinate = 0.;   // of all control points, without sign
-  double tolerance = 0.;            // farther apart than this are no two points that should be one
+  std::vector<TopoDS_Edge> edges; // of the curves, in their order
+  std::vector<Child> children;    // of the compound, in its order
+  double size = 0.;               // the diagonal of the box around all control points
+  double largest_coordinate = 0.; // of all control points, without sign
+  double tolerance = 0.;          // farther apart than this are no two points that should be one
 };
 
 // Makes the shape of a wireframe in which nothing is wrong, and which has a curve.
@@ -90,8 +90,7 @@ class Wireframe_shape_builder
   };
 
 public:
-  Wireframe_shape_builder(const Wireframe& wireframe, const GeomTraits& traits)
-    : wireframe_(wireframe), traits_(traits)
+  Wireframe_shape_builder(const Wireframe& wireframe, const GeomTraits& traits) : wireframe_(wireframe), traits_(traits)
   {}
 
   // returns false and says why if a curve is none for OpenCASCADE
@@ -99,12 +98,12 @@ public:
   {
     measure(shape);
     shape.tolerance = 1e-9 * shape.size;
-    for(const auto& vertex : wireframe_.vertices)
+    for (const auto& vertex : wireframe_.vertices)
       vertices_.push_back(make_vertex(to_point(vertex)));
-    for(std::size_t i = 0; i < wireframe_.curves.size(); ++i)
+    for (std::size_t i = 0; i < wireframe_.curves.size(); ++i)
     {
       error = make_edge(wireframe_.curves[i], shape);
-      if(!error.empty())
+      if (!error.empty())
       {
         error = "curve " + std::to_string(i) + ": " + error;
         return false;
@@ -112,9 +111,9 @@ public:
     }
     shape.children = children();
     builder_.MakeCompound(shape.compound);
-    for(const Child& child : shape.children)
+    for (const Child& child : shape.children)
     {
-      if(child.is_wire)
+      if (child.is_wire)
         builder_.Add(shape.compound, make_wire(child.path, shape.edges));
       else
         builder_.Add(shape.compound, shape.edges[child.path.front().first]);
@@ -131,22 +130,24 @@ private:
   }
 
   template <class Point>
-  gp_Pnt to_point(const Point& point) const { return gp_Pnt(to_xyz(point)); }
+  gp_Pnt to_point(const Point& point) const
+  {
+    return gp_Pnt(to_xyz(point));
+  }
 
   void measure(Wireframe_shape& shape) const
   {
     gp_XYZ low(HUGE_VAL, HUGE_VAL, HUGE_VAL), high = -1. * low;
-    const auto add = [&](const gp_XYZ& p)
-    {
-      for(int k = 1; k <= 3; ++k)
+    const auto add = [&](const gp_XYZ& p) {
+      for (int k = 1; k <= 3; ++k)
       {
         low.SetCoord(k, (std::min)(low.Coord(k), p.Coord(k)));
         high.SetCoord(k, (std::max)(high.Coord(k), p.Coord(k)));
         shape.largest_coordinate = (std::max)(shape.largest_coordinate, std::abs(p.Coord(k)));
       }
     };
-    for(const Curve& curve : wireframe_.curves)
-      for(const auto& point : curve.spline.control_points())
+    for (const Curve& curve : wireframe_.curves)
+      for (const auto& point : curve.spline.control_points())
         add(to_xyz(point));
     shape.size = (high - low).Modulus();
   }
@@ -162,11 +163,11 @@ private:
   {
     Trimmed_curve trimmed;
     const std::string problem = make_curve(curve, shape.size, trimmed);
-    if(!problem.empty())
+    if (!problem.empty())
       return problem;
     const bool has_vertices = curve.source != Curve::no_vertex;
-    const TopoDS_Vertex source = has_vertices ? vertices_[curve.source]
-                                              : make_vertex(trimmed.curve->Value(trimmed.first));
+    const TopoDS_Vertex source =
+      has_vertices ? vertices_[curve.source] : make_vertex(trimmed.curve->Value(trimmed.first));
     const TopoDS_Vertex target = has_vertices ? vertices_[curve.target] : source;
     TopoDS_Edge edge;
     builder_.MakeEdge(edge, trimmed.curve, Precision::Confusion());
@@ -189,7 +190,7 @@ private:
 
   std::string make_curve(const Curve& curve, double size, Trimmed_curve& trimmed) const
   {
-    switch(curve.type)
+    switch (curve.type)
     {
     case Wireframe_curve_type::BSPLINE: return make_spline(curve, trimmed);
     case Wireframe_curve_type::LINE: return make_line(curve, size, trimmed);
@@ -199,15 +200,15 @@ private:
 
   std::string make_line(const Curve& curve, double size, Trimmed_curve& trimmed) const
   {
-    if(curve.is_closed() || curve.source == curve.target)
+    if (curve.is_closed() || curve.source == curve.target)
       return "It is a line, but ends where it starts.";
     const gp_Pnt source = to_point(wireframe_.vertices[curve.source]);
     const gp_Vec v(source, to_point(wireframe_.vertices[curve.target]));
-    if(!(v.Magnitude() > gp::Resolution()))
+    if (!(v.Magnitude() > gp::Resolution()))
       return "It is a line, but its length is zero.";
     const gp_Lin line(source, gp_Dir(v));
-    for(const auto& point : curve.spline.control_points())
-      if(!(line.Distance(to_point(point)) <= 1e-6 * size))
+    for (const auto& point : curve.spline.control_points())
+      if (!(line.Distance(to_point(point)) <= 1e-6 * size))
         return "It is a line, but the control points of its spline are not on one.";
     trimmed.curve = new Geom_Line(line);
     trimmed.last = v.Magnitude();
@@ -219,28 +220,28 @@ private:
     const auto& conic = curve.conic;
     const gp_Ax2 axes(to_point(conic.center), gp_Dir(to_xyz(conic.axis)), gp_Dir(to_xyz(conic.major_direction)));
     const double major = CGAL::to_double(conic.major_radius), minor = CGAL::to_double(conic.minor_radius);
-    if(curve.type == Wireframe_curve_type::CIRCLE || curve.type == Wireframe_curve_type::ARC)
+    if (curve.type == Wireframe_curve_type::CIRCLE || curve.type == Wireframe_curve_type::ARC)
       trimmed.curve = new Geom_Circle(axes, major);
     else
       trimmed.curve = new Geom_Ellipse(axes, major, minor);
     trimmed.first = CGAL::to_double(conic.start_angle);
     trimmed.last = curve.is_closed() ? trimmed.first + 2. * CGAL_PI
-      : (std::min)(CGAL::to_double(conic.end_angle), trimmed.first + 2. * CGAL_PI);
+                                     : (std::min)(CGAL::to_double(conic.end_angle), trimmed.first + 2. * CGAL_PI);
     return "";
   }
 
   std::string make_spline(const Curve& curve, Trimmed_curve& trimmed) const
   {
     const auto& spline = curve.spline;
-    if(spline.degree() > std::size_t(Geom_BSplineCurve::MaxDegree()))
+    if (spline.degree() > std::size_t(Geom_BSplineCurve::MaxDegree()))
       return "Its degree is " + std::to_string(spline.degree()) + "; OpenCASCADE takes "
-             + std::to_string(Geom_BSplineCurve::MaxDegree()) + " at most.";
+        + std::to_string(Geom_BSplineCurve::MaxDegree()) + " at most.";
     std::vector<double> knots;
     std::vector<int> multiplicities;
-    for(const auto& value : spline.knots())
+    for (const auto& value : spline.knots())
     {
       const double knot = CGAL::to_double(value);
-      if(knots.empty() || knots.back() != knot)
+      if (knots.empty() || knots.back() != knot)
       {
         knots.push_back(knot);
         multiplicities.push_back(0);
@@ -249,7 +250,7 @@ private:
     }
     TColgp_Array1OfPnt points(1, int(spline.control_points().size()));
     TColStd_Array1OfReal weights(1, points.Length());
-    for(int i = 0; i < points.Length(); ++i)
+    for (int i = 0; i < points.Length(); ++i)
     {
       points.SetValue(i + 1, to_point(spline.control_points()[std::size_t(i)]));
       weights.SetValue(i + 1, spline.is_rational() ? CGAL::to_double(spline.weights()[std::size_t(i)]) : 1.);
@@ -263,7 +264,7 @@ private:
         ? new Geom_BSplineCurve(points, weights, knot_array, multiplicity_array, degree)
         : new Geom_BSplineCurve(points, knot_array, multiplicity_array, degree);
     }
-    catch(const Standard_Failure&)
+    catch (const Standard_Failure&)
     {
       return "Two of its knots, or weights, are too close to zero or to each other for OpenCASCADE.";
     }
@@ -276,7 +277,7 @@ private:
   {
     TopoDS_Wire wire;
     builder_.MakeWire(wire);
-    for(const auto& step : path)
+    for (const auto& step : path)
       builder_.Add(wire, edges[step.first].Oriented(step.second ? TopAbs_REVERSED : TopAbs_FORWARD));
     wire.Closed(true);
     return wire;
@@ -285,24 +286,24 @@ private:
   // Closed loops as a whole, and all other curves one by one.
   std::vector<Child> children() const
   {
-    std::vector<std::vector<std::size_t> > curves_at(wireframe_.vertices.size());
-    for(std::size_t i = 0; i < wireframe_.curves.size(); ++i)
-      for(const std::size_t vertex : { wireframe_.curves[i].source, wireframe_.curves[i].target })
-        if(vertex != Curve::no_vertex)
+    std::vector<std::vector<std::size_t>> curves_at(wireframe_.vertices.size());
+    for (std::size_t i = 0; i < wireframe_.curves.size(); ++i)
+      for (const std::size_t vertex : {wireframe_.curves[i].source, wireframe_.curves[i].target})
+        if (vertex != Curve::no_vertex)
           curves_at[vertex].push_back(i);
     std::vector<Child> result;
     std::vector<bool> is_done(wireframe_.curves.size(), false), is_in_no_loop(wireframe_.curves.size(), false);
-    for(std::size_t i = 0; i < wireframe_.curves.size(); ++i)
+    for (std::size_t i = 0; i < wireframe_.curves.size(); ++i)
     {
-      if(is_done[i])
+      if (is_done[i])
         continue;
       Child child;
-      if(!is_in_no_loop[i])
+      if (!is_in_no_loop[i])
         child.path = loop_from(i, curves_at, is_in_no_loop);
       child.is_wire = !child.path.empty();
-      if(!child.is_wire)
+      if (!child.is_wire)
         child.path.emplace_back(i, false);
-      for(const auto& step : child.path)
+      for (const auto& step : child.path)
         is_done[step.first] = true;
       result.push_back(std::move(child));
     }
@@ -310,25 +311,25 @@ private:
   }
 
   // Follows the curves until the first one is there again. Empty where they branch or end; then none of them is in a loop.
-  Path loop_from(std::size_t first, const std::vector<std::vector<std::size_t> >& curves_at,
+  Path loop_from(std::size_t first, const std::vector<std::vector<std::size_t>>& curves_at,
                  std::vector<bool>& is_in_no_loop) const
   {
     Path path(1, std::make_pair(first, false));
-    for(;;)
+    for (;;)
     {
       const Curve& curve = wireframe_.curves[path.back().first];
       const std::size_t vertex = path.back().second ? curve.source : curve.target;
-      if(vertex == Curve::no_vertex)
+      if (vertex == Curve::no_vertex)
         return path;
       const std::vector<std::size_t>& curves = curves_at[vertex];
-      if(curves.size() != 2)
+      if (curves.size() != 2)
       {
-        for(const auto& step : path)
+        for (const auto& step : path)
           is_in_no_loop[step.first] = true;
         return Path();
       }
       const std::size_t next = curves[0] == path.back().first ? curves[1] : curves[0];
-      if(next == first)
+      if (next == first)
         return path;
       path.emplace_back(next, wireframe_.curves[next].source != vertex);
     }

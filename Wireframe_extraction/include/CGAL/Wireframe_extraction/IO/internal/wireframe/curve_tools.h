@@ -33,21 +33,18 @@ template <class Position, class GeomTraits>
 Spline_vector vector_of(const Position& position, const GeomTraits& traits)
 {
   const Coordinates coordinates = coordinates_of(position, traits);
-  return Spline_vector{ coordinates[0], coordinates[1], coordinates[2] };
+  return Spline_vector{coordinates[0], coordinates[1], coordinates[2]};
 }
 
-inline Spline_vector unit_vector(const Spline_vector& v)
-{
-  return (1. / norm(v)) * v;
-}
+inline Spline_vector unit_vector(const Spline_vector& v) { return (1. / norm(v)) * v; }
 
 // The parameters of a circle, an ellipse or an arc in double. Its axes are orthonormal to the last digit, which those
 // of a wireframe need not be.
 struct Orthonormal_conic
 {
-  Spline_vector center, x, axis;   // the direction of the major axis, and the normal of the plane
+  Spline_vector center, x, axis; // the direction of the major axis, and the normal of the plane
   double major_radius, minor_radius, start_angle, sweep;
-  bool is_full;   // a whole turn, even if the curve is an arc that ends at its start
+  bool is_full; // a whole turn, even if the curve is an arc that ends at its start
 };
 
 template <class GeomTraits>
@@ -75,14 +72,14 @@ struct Colour
 
 inline Colour colour_of(Wireframe_curve_type type)
 {
-  switch(type)
+  switch (type)
   {
-  case Wireframe_curve_type::LINE: return { 64, 64, 64 };
-  case Wireframe_curve_type::CIRCLE: return { 214, 39, 40 };
-  case Wireframe_curve_type::ARC: return { 255, 127, 14 };
-  case Wireframe_curve_type::ELLIPSE: return { 31, 119, 180 };
-  case Wireframe_curve_type::ELLIPTIC_ARC: return { 23, 162, 162 };
-  default: return { 148, 60, 189 };
+  case Wireframe_curve_type::LINE: return {64, 64, 64};
+  case Wireframe_curve_type::CIRCLE: return {214, 39, 40};
+  case Wireframe_curve_type::ARC: return {255, 127, 14};
+  case Wireframe_curve_type::ELLIPSE: return {31, 119, 180};
+  case Wireframe_curve_type::ELLIPTIC_ARC: return {23, 162, 162};
+  default: return {148, 60, 189};
   }
 }
 
@@ -90,7 +87,7 @@ inline Colour colour_of(Wireframe_curve_type type)
 inline std::string hexadecimal(const Colour& colour)
 {
   std::string text = "#";
-  for(const int channel : { colour.red, colour.green, colour.blue })
+  for (const int channel : {colour.red, colour.green, colour.blue})
     text += std::string(1, "0123456789abcdef"[channel / 16]) + "0123456789abcdef"[channel % 16];
   return text;
 }
@@ -98,8 +95,8 @@ inline std::string hexadecimal(const Colour& colour)
 inline const std::array<Wireframe_curve_type, 6>& all_curve_types()
 {
   static const std::array<Wireframe_curve_type, 6> types = {
-    { Wireframe_curve_type::BSPLINE, Wireframe_curve_type::LINE, Wireframe_curve_type::CIRCLE,
-      Wireframe_curve_type::ARC, Wireframe_curve_type::ELLIPSE, Wireframe_curve_type::ELLIPTIC_ARC } };
+    {Wireframe_curve_type::BSPLINE, Wireframe_curve_type::LINE, Wireframe_curve_type::CIRCLE, Wireframe_curve_type::ARC,
+     Wireframe_curve_type::ELLIPSE, Wireframe_curve_type::ELLIPTIC_ARC}};
   return types;
 }
 

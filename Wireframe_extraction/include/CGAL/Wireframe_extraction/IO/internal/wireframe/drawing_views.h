@@ -33,11 +33,10 @@ struct Drawing_view
 inline const std::array<Drawing_view, 4>& drawing_views()
 {
   static const double a = std::sqrt(1. / 2.), b = std::sqrt(1. / 6.);
-  static const std::array<Drawing_view, 4> views = {
-    { { "top", "Top (x, y)", { 1., 0., 0. }, { 0., 1., 0. } },
-      { "isometric", "Isometric", { a, a, 0. }, { -b, b, 2. * b } },
-      { "front", "Front (x, z)", { 1., 0., 0. }, { 0., 0., 1. } },
-      { "right", "Right (y, z)", { 0., 1., 0. }, { 0., 0., 1. } } } };
+  static const std::array<Drawing_view, 4> views = {{{"top", "Top (x, y)", {1., 0., 0.}, {0., 1., 0.}},
+                                                     {"isometric", "Isometric", {a, a, 0.}, {-b, b, 2. * b}},
+                                                     {"front", "Front (x, z)", {1., 0., 0.}, {0., 0., 1.}},
+                                                     {"right", "Right (y, z)", {0., 1., 0.}, {0., 0., 1.}}}};
   return views;
 }
 

@@ -34,31 +34,28 @@ namespace internal {
 struct Dxf_layer
 {
   const char* name;
-  int colour;   // in the numbering of AutoCAD
+  int colour; // in the numbering of AutoCAD
 };
 
 inline Dxf_layer dxf_layer_of(Wireframe_curve_type type)
 {
-  switch(type)
+  switch (type)
   {
-  case Wireframe_curve_type::LINE: return { "LINES", 7 };
-  case Wireframe_curve_type::CIRCLE: return { "CIRCLES", 1 };
-  case Wireframe_curve_type::ARC: return { "ARCS", 30 };
-  case Wireframe_curve_type::ELLIPSE: return { "ELLIPSES", 5 };
-  case Wireframe_curve_type::ELLIPTIC_ARC: return { "ELLIPTIC_ARCS", 4 };
-  default: return { "SPLINES", 6 };
+  case Wireframe_curve_type::LINE: return {"LINES", 7};
+  case Wireframe_curve_type::CIRCLE: return {"CIRCLES", 1};
+  case Wireframe_curve_type::ARC: return {"ARCS", 30};
+  case Wireframe_curve_type::ELLIPSE: return {"ELLIPSES", 5};
+  case Wireframe_curve_type::ELLIPTIC_ARC: return {"ELLIPTIC_ARCS", 4};
+  default: return {"SPLINES", 6};
   }
 }
 
-inline Dxf_layer dxf_layer_of_vertices()
-{
-  return { "VERTICES", 3 };
-}
+inline Dxf_layer dxf_layer_of_vertices() { return {"VERTICES", 3}; }
 
 inline std::string to_hexadecimal(std::size_t number)
 {
   std::string digits;
-  for(; number > 0 || digits.empty(); number /= 16)
+  for (; number > 0 || digits.empty(); number /= 16)
     digits.insert(digits.begin(), "0123456789ABCDEF"[number % 16]);
   return digits;
 }
@@ -89,7 +86,7 @@ public:
   // several pairs: code, blank, and value, separated by line feeds
   void add(const char* pairs)
   {
-    for(std::string_view rest(pairs); !rest.empty();)
+    for (std::string_view rest(pairs); !rest.empty();)
     {
       const std::size_t end = (std::min)(rest.find('\n'), rest.size()), blank = rest.find(' ');
       text_ += std::string(rest.substr(0, blank)) + "\n" + std::string(rest.substr(blank + 1, end - blank - 1)) + "\n";
@@ -122,8 +119,8 @@ struct Dxf_extent
 
   void add(const Spline_vector& p)
   {
-    low = is_empty ? p : Spline_vector{ (std::min)(low.x, p.x), (std::min)(low.y, p.y), (std::min)(low.z, p.z) };
-    high = is_empty ? p : Spline_vector{ (std::max)(high.x, p.x), (std::max)(high.y, p.y), (std::max)(high.z, p.z) };
+    low = is_empty ? p : Spline_vector{(std::min)(low.x, p.x), (std::min)(low.y, p.y), (std::min)(low.z, p.z)};
+    high = is_empty ? p : Spline_vector{(std::max)(high.x, p.x), (std::max)(high.y, p.y), (std::max)(high.z, p.z)};
     is_empty = false;
   }
 };
@@ -131,7 +128,7 @@ struct Dxf_extent
 inline int dxf_unit(CGAL::Wireframe_extraction::Length_unit unit)
 {
   typedef CGAL::Wireframe_extraction::Length_unit Length_unit;
-  switch(unit)
+  switch (unit)
   {
   case Length_unit::INCH: return 1;
   case Length_unit::FOOT: return 2;
@@ -186,8 +183,8 @@ inline void add_dxf_layers(Dxf_text& dxf)
 {
   std::size_t handle = 0x40;
   dxf.add_table("LAYER", "2", static_cast<int>(all_curve_types().size()) + 2);
-  add_dxf_layer({ "0", 7 }, handle++, dxf);
-  for(const Wireframe_curve_type type : all_curve_types())
+  add_dxf_layer({"0", 7}, handle++, dxf);
+  for (const Wireframe_curve_type type : all_curve_types())
     add_dxf_layer(dxf_layer_of(type), handle++, dxf);
   add_dxf_layer(dxf_layer_of_vertices(), handle++, dxf);
   dxf.add("0 ENDTAB");
@@ -197,7 +194,7 @@ inline void add_dxf_line_types(Dxf_text& dxf)
 {
   std::size_t handle = 0x31;
   dxf.add_table("LTYPE", "5", 3);
-  for(const char* const name : { "ByBlock", "ByLayer", "Continuous" })
+  for (const char* const name : {"ByBlock", "ByLayer", "Continuous"})
   {
     dxf.add(0, "LTYPE");
     dxf.add(5, to_hexadecimal(handle++));

@@ -31,7 +31,7 @@ CGAL::Wireframe_extraction::Length_unit get_length_unit(const NamedParameters& n
 inline double meters_of(CGAL::Wireframe_extraction::Length_unit unit)
 {
   typedef CGAL::Wireframe_extraction::Length_unit Length_unit;
-  switch(unit)
+  switch (unit)
   {
   case Length_unit::MICROMETER: return 1e-6;
   case Length_unit::CENTIMETER: return 0.01;
@@ -46,7 +46,7 @@ inline double meters_of(CGAL::Wireframe_extraction::Length_unit unit)
 inline const char* symbol_of(CGAL::Wireframe_extraction::Length_unit unit)
 {
   typedef CGAL::Wireframe_extraction::Length_unit Length_unit;
-  switch(unit)
+  switch (unit)
   {
   case Length_unit::MICROMETER: return "um";
   case Length_unit::CENTIMETER: return "cm";

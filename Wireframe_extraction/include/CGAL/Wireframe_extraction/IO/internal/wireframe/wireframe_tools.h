@@ -35,7 +35,7 @@ Coordinates coordinates_of(const Position& point, const GeomTraits& traits)
 {
   Coordinates coordinates;
   auto iterator = traits.construct_cartesian_const_iterator_3_object()(point);
-  for(double& coordinate : coordinates)
+  for (double& coordinate : coordinates)
     coordinate = CGAL::to_double(*iterator++);
   return coordinates;
 }
@@ -47,7 +47,7 @@ inline bool is_finite_point(const Coordinates& point)
 
 inline const char* name_of(Wireframe_curve_type type)
 {
-  switch(type)
+  switch (type)
   {
   case Wireframe_curve_type::LINE: return "line";
   case Wireframe_curve_type::CIRCLE: return "circle";
@@ -66,24 +66,22 @@ public:
   typedef CGAL::Wireframe<GeomTraits> Wireframe;
   typedef CGAL::Wireframe_curve<GeomTraits> Curve;
 
-  Wireframe_check(const Wireframe& wireframe, const GeomTraits& traits)
-    : wireframe_(wireframe), traits_(traits)
-  {}
+  Wireframe_check(const Wireframe& wireframe, const GeomTraits& traits) : wireframe_(wireframe), traits_(traits) {}
 
   // the first problem; empty if there is none
   std::string operator()() const
   {
     const double sampling_distance = CGAL::to_double(wireframe_.sampling_distance);
-    if(!is_measure(sampling_distance))
+    if (!is_measure(sampling_distance))
       return "the sampling distance is " + number_to_string(sampling_distance)
-             + "; it has to be finite and not negative";
-    for(std::size_t i = 0; i < wireframe_.vertices.size(); ++i)
-      if(!is_finite_point(coordinates_of(wireframe_.vertices[i], traits_)))
+        + "; it has to be finite and not negative";
+    for (std::size_t i = 0; i < wireframe_.vertices.size(); ++i)
+      if (!is_finite_point(coordinates_of(wireframe_.vertices[i], traits_)))
         return "vertex " + std::to_string(i) + " has a coordinate that is not finite";
-    for(std::size_t i = 0; i < wireframe_.curves.size(); ++i)
+    for (std::size_t i = 0; i < wireframe_.curves.size(); ++i)
     {
       const std::string problem = curve_problem(wireframe_.curves[i]);
-      if(!problem.empty())
+      if (!problem.empty())
         return "curve " + std::to_string(i) + ": " + problem;
     }
     return "";
@@ -94,13 +92,12 @@ private:
 
   std::string curve_problem(const Curve& curve) const
   {
-    if(!is_measure(CGAL::to_double(curve.root_mean_square))
-       || !is_measure(CGAL::to_double(curve.maximum_deviation)))
+    if (!is_measure(CGAL::to_double(curve.root_mean_square)) || !is_measure(CGAL::to_double(curve.maximum_deviation)))
       return "A residual is not finite or is negative.";
     std::string problem = spline_problem(curve);
-    if(problem.empty())
+    if (problem.empty())
       problem = vertices_problem(curve);
-    if(problem.empty())
+    if (problem.empty())
       problem = ends_problem(curve);
     return problem.empty() ? type_problem(curve) : problem;
   }
@@ -109,13 +106,13 @@ private:
   std::string type_problem(const Curve& curve) const
   {
     const auto& u = curve.uncertainty;
-    for(const auto& value : { u.position, u.direction, u.major_radius, u.minor_radius })
-      if(!is_measure(CGAL::to_double(value)))
+    for (const auto& value : {u.position, u.direction, u.major_radius, u.minor_radius})
+      if (!is_measure(CGAL::to_double(value)))
         return "An uncertainty is not finite or is negative.";
-    if(!is_conic(curve.type))
+    if (!is_conic(curve.type))
       return "";
     std::string problem = conic_problem(curve.conic);
-    if(problem.empty())
+    if (problem.empty())
       problem = kind_problem(curve);
     return problem.empty() ? conic_ends_problem(curve) : problem;
   }
@@ -124,11 +121,11 @@ private:
   {
     typedef Wireframe_curve_type Type;
     const bool is_full = curve.type == Type::CIRCLE || curve.type == Type::ELLIPSE;
-    if(is_full != curve.is_closed())
+    if (is_full != curve.is_closed())
       return is_full ? "It is a full circle or ellipse, but not closed." : "It is an arc, but closed.";
     const bool is_round = curve.type == Type::CIRCLE || curve.type == Type::ARC;
     const double major = CGAL::to_double(curve.conic.major_radius);
-    if(is_round && std::abs(major - CGAL::to_double(curve.conic.minor_radius)) > 1e-9 * major)
+    if (is_round && std::abs(major - CGAL::to_double(curve.conic.minor_radius)) > 1e-9 * major)
       return "It is a circle, but its radii differ.";
     return "";
   }
@@ -139,15 +136,15 @@ private:
     const Coordinates direction = coordinates_of(conic.major_direction, traits_);
     const double major = CGAL::to_double(conic.major_radius), minor = CGAL::to_double(conic.minor_radius);
     const double sweep = CGAL::to_double(conic.end_angle) - CGAL::to_double(conic.start_angle);
-    if(!is_finite_point(coordinates_of(conic.center, traits_)) || !is_finite_point(axis)
-       || !is_finite_point(direction) || !std::isfinite(major) || !std::isfinite(sweep))
+    if (!is_finite_point(coordinates_of(conic.center, traits_)) || !is_finite_point(axis) || !is_finite_point(direction)
+        || !std::isfinite(major) || !std::isfinite(sweep))
       return "Its center, axis, major direction, radii or angles are not finite.";
-    if(!(std::abs(dot(axis, axis) - 1.) < 1e-6) || !(std::abs(dot(direction, direction) - 1.) < 1e-6)
-       || !(std::abs(dot(axis, direction)) < 1e-6))
+    if (!(std::abs(dot(axis, axis) - 1.) < 1e-6) || !(std::abs(dot(direction, direction) - 1.) < 1e-6)
+        || !(std::abs(dot(axis, direction)) < 1e-6))
       return "Its axis and its major direction have to be unit vectors that are orthogonal.";
-    if(!(minor > 0.) || !(major >= minor))
+    if (!(minor > 0.) || !(major >= minor))
       return "Its radii have to be positive, the major one first.";
-    if(!(sweep > 0.) || !(sweep <= 2. * CGAL_PI + 1e-6))
+    if (!(sweep > 0.) || !(sweep <= 2. * CGAL_PI + 1e-6))
       return "Its end angle has to be larger than its start angle, by a full turn at most.";
     return "";
   }
@@ -158,22 +155,19 @@ private:
     const auto& points = curve.spline.control_points();
     const Coordinates start = coordinates_of(curve.conic.point(curve.conic.start_angle, traits_), traits_);
     const Coordinates end = coordinates_of(curve.conic.point(curve.conic.end_angle, traits_), traits_);
-    if(!are_close(start, coordinates_of(points.front(), traits_), tolerance)
-       || !are_close(end, coordinates_of(points.back(), traits_), tolerance))
+    if (!are_close(start, coordinates_of(points.front(), traits_), tolerance)
+        || !are_close(end, coordinates_of(points.back(), traits_), tolerance))
       return "Its center, radii and angles do not lead to the ends of its spline.";
     return "";
   }
 
-  static double dot(const Coordinates& p, const Coordinates& q)
-  {
-    return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-  }
+  static double dot(const Coordinates& p, const Coordinates& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
 
   double size_of(const Curve& curve) const
   {
     double size = 0.;
-    for(const auto& point : curve.spline.control_points())
-      for(const double coordinate : coordinates_of(point, traits_))
+    for (const auto& point : curve.spline.control_points())
+      for (const double coordinate : coordinates_of(point, traits_))
         size = (std::max)(size, std::abs(coordinate));
     return size;
   }
@@ -182,25 +176,25 @@ private:
   {
     const auto& spline = curve.spline;
     std::string why;
-    if(!Curve::Spline::is_valid(spline.degree(), spline.knots(), spline.control_points(), spline.weights(),
-                                &why, traits_))
+    if (!Curve::Spline::is_valid(spline.degree(), spline.knots(), spline.control_points(), spline.weights(), &why,
+                                 traits_))
       return why;
     const auto& knots = spline.knots();
-    if(knots[spline.degree()] != knots.front() || knots[spline.control_points().size()] != knots.back())
-      return "The knots are not clamped: the first and the last have to be there "
-             + std::to_string(spline.degree() + 1) + " times.";
+    if (knots[spline.degree()] != knots.front() || knots[spline.control_points().size()] != knots.back())
+      return "The knots are not clamped: the first and the last have to be there " + std::to_string(spline.degree() + 1)
+        + " times.";
     return "";
   }
 
   std::string vertices_problem(const Curve& curve) const
   {
-    for(const std::size_t vertex : { curve.source, curve.target })
-      if(vertex != Curve::no_vertex && vertex >= wireframe_.vertices.size())
+    for (const std::size_t vertex : {curve.source, curve.target})
+      if (vertex != Curve::no_vertex && vertex >= wireframe_.vertices.size())
         return "Its vertex " + std::to_string(vertex) + " does not exist; there are "
-               + std::to_string(wireframe_.vertices.size()) + " vertices.";
-    if(curve.is_closed() && curve.source != curve.target)
+          + std::to_string(wireframe_.vertices.size()) + " vertices.";
+    if (curve.is_closed() && curve.source != curve.target)
       return "It is closed, but its source and its target differ.";
-    if(!curve.is_closed() && (curve.source == Curve::no_vertex || curve.target == Curve::no_vertex))
+    if (!curve.is_closed() && (curve.source == Curve::no_vertex || curve.target == Curve::no_vertex))
       return "It is open and has no source or no target; only a closed curve may be without vertex.";
     return "";
   }
@@ -211,13 +205,13 @@ private:
     const double size = size_of(curve);
     const Coordinates first = coordinates_of(curve.spline.control_points().front(), traits_);
     const Coordinates last = coordinates_of(curve.spline.control_points().back(), traits_);
-    if(curve.is_closed() && !are_close(first, last, 1e-6 * size))
+    if (curve.is_closed() && !are_close(first, last, 1e-6 * size))
       return "It is closed, but does not end where it starts.";
-    if(curve.source != Curve::no_vertex
-       && !are_close(first, coordinates_of(wireframe_.vertices[curve.source], traits_), 1e-6 * size))
+    if (curve.source != Curve::no_vertex
+        && !are_close(first, coordinates_of(wireframe_.vertices[curve.source], traits_), 1e-6 * size))
       return "It does not start at its source, vertex " + std::to_string(curve.source) + ".";
-    if(curve.target != Curve::no_vertex
-       && !are_close(last, coordinates_of(wireframe_.vertices[curve.target], traits_), 1e-6 * size))
+    if (curve.target != Curve::no_vertex
+        && !are_close(last, coordinates_of(wireframe_.vertices[curve.target], traits_), 1e-6 * size))
       return "It does not end at its target, vertex " + std::to_string(curve.target) + ".";
     return "";
   }
@@ -225,7 +219,7 @@ private:
   static bool are_close(const Coordinates& p, const Coordinates& q, double tolerance)
   {
     return std::abs(p[0] - q[0]) <= tolerance && std::abs(p[1] - q[1]) <= tolerance
-           && std::abs(p[2] - q[2]) <= tolerance;
+      && std::abs(p[2] - q[2]) <= tolerance;
   }
 
   const Wireframe& wireframe_;
