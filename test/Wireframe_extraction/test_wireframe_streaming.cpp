@@ -116,7 +116,7 @@ void test_clouds_that_are_gone_over_several_times()
           {
             const Skeleton skeleton = skeleton_of(other, 2000);
             check_same(expected, skeleton);
-            assert(expected.surroundings().size() == skeleton.surroundings().size());
+            assert(expected.data().surroundings->size() == skeleton.data().surroundings->size());
             assert(values_of(expected) == values_of(skeleton));
           }
         }

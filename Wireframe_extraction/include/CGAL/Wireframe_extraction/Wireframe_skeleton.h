@@ -12,14 +12,14 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_WIREFRAME_SKELETON_H
 #define CGAL_WIREFRAME_EXTRACTION_WIREFRAME_SKELETON_H
 
-#include <CGAL/Wireframe_extraction/internal/field/Contraction.h>
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
+#include <CGAL/Wireframe_extraction/internal/field/Skeleton_data.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
 #include <cstddef>
-#include <memory>
+#include <utility>
 
 namespace CGAL {
 
@@ -43,47 +43,47 @@ public:
   Wireframe_skeleton() {}
 
   /// returns the number of points of the skeleton.
-  std::size_t size() const { return m_band ? m_band->skeleton_size : 0; }
+  std::size_t size() const { return m_data.size(); }
 
   /// returns the number of all points that were kept.
-  std::size_t support_size() const { return m_band ? m_band->size() : 0; }
+  std::size_t support_size() const { return m_data.support_size(); }
 
   /// returns whether the skeleton has no point.
   bool is_empty() const { return size() == 0; }
 
   /// returns the sampling distance, in the cloud's unit.
-  FT sampling_distance() const { return FT(m_unit); }
+  FT sampling_distance() const { return FT(m_data.unit); }
 
   /// returns the number of points that were left out since they repeat another one exactly.
-  std::size_t number_of_duplicates() const { return m_number_of_duplicates; }
+  std::size_t number_of_duplicates() const { return m_data.number_of_duplicates; }
 
   /// returns the number of points that were left out since they are farther than 10<sup>9</sup> sampling distances from
   /// the others.
-  std::size_t number_of_strays() const { return m_number_of_strays; }
+  std::size_t number_of_strays() const { return m_data.number_of_strays; }
 
   /// returns the `i`-th point. \pre `i < support_size()`
   Point_3 point(std::size_t i) const
   {
     CGAL_precondition(i < support_size());
-    return to_point(m_band->points[i]);
+    return to_point(m_data.band->points[i]);
   }
 
   /// returns the distance of the `i`-th point to the nearest sharp feature. \pre `i < support_size()`
   FT distance(std::size_t i) const
   {
     CGAL_precondition(i < support_size());
-    return FT(m_band->distances[i] * m_unit);
+    return FT(m_data.band->distances[i] * m_data.unit);
   }
 
   /// returns the position of the `i`-th point in the cloud. \pre `i < support_size()`
   std::size_t index(std::size_t i) const
   {
     CGAL_precondition(i < support_size());
-    return m_band->indices[i];
+    return m_data.band->indices[i];
   }
 
   /// returns whether `contract_skeleton()` was called.
-  bool is_contracted() const { return m_contraction != nullptr; }
+  bool is_contracted() const { return m_data.contraction != nullptr; }
 
   /// returns the foot of the `i`-th point: the nearest point of the curve that the field draws near it.
   /// \pre `is_contracted()` and `i < size()`
@@ -99,69 +99,49 @@ public:
 
   /// returns the root mean square of the field's residuals close to the foot, in the cloud's unit.
   /// \pre `is_contracted()` and `i < size()`
-  FT residual(std::size_t i) const { return FT(contraction().residuals[i] * m_unit); }
+  FT residual(std::size_t i) const { return FT(contraction().residuals[i] * m_data.unit); }
 
   /// returns the noise level of the field, in the cloud's unit: `noise_level` times the sampling distance if that named
   /// parameter was given, else the median of the residuals, or after `refine_field()` the typical deviation of the
   /// creases if that is larger.
   /// \pre `is_contracted()`
-  FT noise() const { return FT(contraction().noise * m_unit); }
+  FT noise() const { return FT(contraction().noise * m_data.unit); }
 
   /// \cond SKIP_IN_MANUAL
   typedef Wireframe_extraction::internal::Vector internal_Vector;
+  typedef Wireframe_extraction::internal::Skeleton_data Data;
 
-  Wireframe_skeleton(std::shared_ptr<const Wireframe_extraction::internal::Field_band> band,
-                     std::shared_ptr<const Wireframe_extraction::internal::Field_band> surroundings, double unit,
-                     const internal_Vector& origin, std::size_t number_of_duplicates, std::size_t number_of_strays,
-                     const GeomTraits& traits)
-    : m_band(band), m_surroundings(surroundings), m_unit(unit), m_origin(origin),
-      m_number_of_duplicates(number_of_duplicates), m_number_of_strays(number_of_strays), m_traits(traits)
-  {}
+  Wireframe_skeleton(Data data, const GeomTraits& traits) : m_data(std::move(data)), m_traits(traits) {}
 
-  // the same skeleton over other distances
-  Wireframe_skeleton with_band(std::shared_ptr<const Wireframe_extraction::internal::Field_band> band) const
-  {
-    return Wireframe_skeleton(band, m_surroundings, m_unit, m_origin, m_number_of_duplicates, m_number_of_strays,
-                              m_traits);
-  }
-
-  const Wireframe_extraction::internal::Field_band& band() const { return *m_band; }
-  // the points around the skeleton, whatever their distances
-  const Wireframe_extraction::internal::Field_band& surroundings() const { return *m_surroundings; }
-  const Wireframe_extraction::internal::Contraction& contraction() const
-  {
-    CGAL_precondition_msg(is_contracted(), "call contract_skeleton() first");
-    return *m_contraction;
-  }
-  void set_contraction(std::shared_ptr<const Wireframe_extraction::internal::Contraction> c) { m_contraction = c; }
-  void set_surroundings(std::shared_ptr<const Wireframe_extraction::internal::Field_band> s) { m_surroundings = s; }
-  double unit() const { return m_unit; }
+  const Data& data() const { return m_data; }
+  Data& data() { return m_data; }
   const GeomTraits& traits() const { return m_traits; }
 
-  // between the cloud's coordinates and those of the band
+  // between the cloud's coordinates and local ones
   Point_3 to_point(const internal_Vector& p) const
   {
-    const internal_Vector q = m_origin + m_unit * p;
+    const internal_Vector q = m_data.to_global(p);
     return m_traits.construct_point_3_object()(FT(q.x()), FT(q.y()), FT(q.z()));
   }
-  internal_Vector to_local(const internal_Vector& q) const { return (q - m_origin) / m_unit; }
   internal_Vector to_local(const Point_3& p) const
   {
     auto c = m_traits.construct_cartesian_const_iterator_3_object()(p);
     internal_Vector q;
     for (int k = 0; k < 3; ++k, ++c)
       q[k] = CGAL::to_double(*c);
-    return to_local(q);
+    return m_data.to_local(q);
   }
   /// \endcond
 
 private:
-  std::shared_ptr<const Wireframe_extraction::internal::Field_band> m_band, m_surroundings;
-  std::shared_ptr<const Wireframe_extraction::internal::Contraction> m_contraction;
-  double m_unit = 1.;
-  internal_Vector m_origin = internal_Vector::Zero();
-  std::size_t m_number_of_duplicates = 0, m_number_of_strays = 0;
+  Data m_data;
   GeomTraits m_traits;
+
+  const Wireframe_extraction::internal::Contraction& contraction() const
+  {
+    CGAL_precondition_msg(is_contracted(), "call contract_skeleton() first");
+    return *m_data.contraction;
+  }
 };
 
 } // namespace CGAL

@@ -12,15 +12,12 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_BUILD_TOPOLOGICAL_GRAPH_H
 #define CGAL_WIREFRAME_EXTRACTION_BUILD_TOPOLOGICAL_GRAPH_H
 
+#include <CGAL/Wireframe_extraction/Wireframe_corner.h>
 #include <CGAL/Wireframe_extraction/Wireframe_graph.h>
-#include <CGAL/Wireframe_extraction/detect_corners.h>
-#include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
+#include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
-#include <CGAL/Wireframe_extraction/internal/network/Subdivided_network.h>
-#include <CGAL/Wireframe_extraction/internal/network/Traced_network.h>
-
-#include <CGAL/assertions.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/Wireframe_extraction/internal/network/build_graph.h>
+#include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 
 #include <cstddef>
 #include <functional>
@@ -28,103 +25,6 @@
 
 namespace CGAL {
 namespace Wireframe_extraction {
-
-namespace internal {
-
-// leaves out points closer than `spacing` to the one before, but keeps `least` inner points
-inline std::vector<Vector> thin_out(const std::vector<Vector>& polyline, double spacing, std::size_t least)
-{
-  std::vector<Vector> result{polyline.front()};
-  for (std::size_t k = 1; k + 1 < polyline.size(); ++k)
-    if ((polyline[k] - result.back()).norm() >= spacing && (polyline[k] - polyline.back()).norm() >= 0.5 * spacing)
-      result.push_back(polyline[k]);
-  result.push_back(polyline.back());
-  if (result.size() >= least + 2)
-    return result;
-  // points at equal steps of arc length
-  const std::vector<double> lengths = arc_lengths(polyline);
-  Polyline_walk walk(polyline, lengths);
-  result.assign(1, polyline.front());
-  for (std::size_t j = 1; j <= least; ++j)
-    result.push_back(walk.advance_to(lengths.back() * double(j) / double(least + 1)));
-  result.push_back(polyline.back());
-  return result;
-}
-
-template <class GeomTraits>
-Wireframe_graph<GeomTraits> to_graph(const Curve_network& network, const Wireframe_skeleton<GeomTraits>& skeleton,
-                                     double spacing)
-{
-  typedef Wireframe_graph<GeomTraits> Graph;
-  typedef typename boost::graph_traits<Graph>::vertex_descriptor Vertex;
-  Graph graph;
-  const auto add = [&](const Vector& p, bool is_corner) {
-    const Vertex v = boost::add_vertex(graph);
-    put(CGAL::vertex_point, graph, v, skeleton.to_point(p));
-    graph[v].is_corner = is_corner;
-    return v;
-  };
-  const Vertex none = boost::graph_traits<Graph>::null_vertex();
-  std::vector<Vertex> vertex_of_node(network.nodes.size(), none);
-  std::size_t id = 0;
-  for (const Network_curve& curve : network.curves)
-  {
-    if (!curve.is_alive || curve.points.size() < 2)
-      continue;
-    const bool is_loop = curve.nodes[0] == curve.nodes[1];
-    const std::vector<Vector> polyline = thin_out(curve.points, spacing, is_loop ? 2 : 1);
-    Vertex ends[2];
-    for (int e = 0; e < 2; ++e)
-    {
-      if (curve.is_closed_without_node())
-      {
-        ends[e] = e == 0 ? add(polyline.front(), false) : ends[0];
-        continue;
-      }
-      Vertex& v = vertex_of_node[curve.nodes[e]];
-      if (v == none)
-        v = add(network.nodes[curve.nodes[e]], true);
-      ends[e] = v;
-    }
-    Vertex previous = ends[0];
-    for (std::size_t k = 1; k < polyline.size(); ++k)
-    {
-      const Vertex next = k + 1 < polyline.size() ? add(polyline[k], false) : ends[1];
-      boost::add_edge(previous, next, Wireframe_edge{id}, graph);
-      previous = next;
-    }
-    ++id;
-  }
-  return graph;
-}
-
-template <class GeomTraits>
-Wireframe_graph<GeomTraits> build_graph(const Wireframe_skeleton<GeomTraits>& skeleton,
-                                        const std::vector<Wireframe_corner<GeomTraits>>& corners,
-                                        const std::vector<std::vector<std::size_t>>& clusters,
-                                        const Extraction_options& options, const std::function<bool(double)>& proceed)
-{
-  if (skeleton.is_empty())
-    return Wireframe_graph<GeomTraits>();
-  if (options.graph_method == Graph_method::SUBDIVIDED)
-  {
-    std::vector<Subdivided_network::Corner> centers;
-    for (const Wireframe_corner<GeomTraits>& corner : corners)
-      centers.push_back({skeleton.to_local(corner.center), CGAL::to_double(corner.radius) / skeleton.unit()});
-    return to_graph(Subdivided_network(skeleton.band(), options).run(clusters, centers), skeleton, 0.);
-  }
-  std::vector<std::size_t> seeds;
-  for (const std::vector<std::size_t>& cluster : clusters)
-    for (std::size_t i : cluster)
-    {
-      CGAL_precondition(i < skeleton.size());
-      seeds.push_back(i);
-    }
-  const Traced_network tracer(skeleton.band(), skeleton.surroundings(), skeleton.contraction(), options);
-  return to_graph(tracer.run(seeds, proceed), skeleton, 0.9);
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgWireframeExtractionFunctions

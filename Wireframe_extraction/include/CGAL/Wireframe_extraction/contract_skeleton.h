@@ -14,35 +14,13 @@
 
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
-#include <CGAL/Wireframe_extraction/internal/field/Contraction.h>
+#include <CGAL/Wireframe_extraction/internal/field/contract.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 
 #include <functional>
-#include <memory>
 
 namespace CGAL {
 namespace Wireframe_extraction {
-
-namespace internal {
-
-// returns whether it was not cancelled
-template <class GeomTraits>
-bool contract(Wireframe_skeleton<GeomTraits>& skeleton, const Extraction_options& options,
-              const std::function<bool(double)>& proceed)
-{
-  if (skeleton.support_size() == 0)
-    return true;
-  auto contraction = std::make_shared<Contraction>();
-  if (!contract(skeleton.band(), options.fitting_radius, proceed, *contraction))
-    return false;
-  contraction->noise = options.noise_or(contraction->noise);
-  skeleton.set_contraction(contraction);
-  if (contraction->is_precise())
-    skeleton.set_surroundings(std::make_shared<Field_band>());
-  return true;
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgWireframeExtractionFunctions
@@ -90,7 +68,7 @@ void contract_skeleton(Wireframe_skeleton<GeomTraits>& skeleton,
 {
   const std::function<bool(double)> proceed = internal::progress_callback(np);
   const internal::Extraction_options options = internal::extraction_options(np);
-  internal::run_concurrently<ConcurrencyTag>([&] { internal::contract(skeleton, options, proceed); });
+  internal::run_concurrently<ConcurrencyTag>([&] { internal::contract(skeleton.data(), options, proceed); });
 }
 
 } // namespace Wireframe_extraction

@@ -12,34 +12,16 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_SEGMENT_CURVES_H
 #define CGAL_WIREFRAME_EXTRACTION_SEGMENT_CURVES_H
 
-#include <CGAL/Wireframe_extraction/detect_corners.h>
+#include <CGAL/Wireframe_extraction/Wireframe_corner.h>
+#include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
+#include <CGAL/Wireframe_extraction/internal/network/segment_curves.h>
+#include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 
-#include <CGAL/assertions.h>
-#include <CGAL/number_type_config.h>
-
-#include <boost/pending/disjoint_sets.hpp>
-
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Wireframe_extraction {
-
-namespace internal {
-
-// whether two points may belong to one curve: their tangents agree, and each lies on the other one's local curve
-inline bool do_tangents_agree(const Local_curve& a, const Local_curve& b, double least_cosine, double tolerance)
-{
-  if (std::abs(a.tangent.dot(b.tangent)) < least_cosine)
-    return false;
-  const double limit = tolerance + 0.1 * (a.point - b.point).norm();
-  return a.distance(b.point) < limit && b.distance(a.point) < limit;
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgWireframeExtractionFunctions
@@ -84,59 +66,7 @@ template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_na
   const Wireframe_skeleton<GeomTraits>& skeleton, const std::vector<Wireframe_corner<GeomTraits>>& corners,
   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  std::vector<std::vector<std::size_t>> clusters;
-  if (skeleton.is_empty())
-    return clusters;
-  const internal::Extraction_options options = internal::extraction_options(np);
-  const internal::Field_band& band = skeleton.band();
-  std::vector<char> is_in_corner(skeleton.size(), 0);
-  for (const Wireframe_corner<GeomTraits>& corner : corners)
-    for (std::size_t i : corner.members)
-    {
-      CGAL_precondition(i < skeleton.size());
-      is_in_corner[i] = 1;
-    }
-  std::vector<internal::Vector> positions(band.points.begin(), band.points.begin() + skeleton.size());
-  if (options.use_tangents)
-    for (std::size_t i = 0; i < positions.size(); ++i)
-      positions[i] = skeleton.contraction().curves[i].point;
-  const internal::Ball_search search(positions);
-  const double least_cosine = std::cos(options.connection_angle * CGAL_PI / 180.);
-  const double tolerance = options.use_tangents ? 0.3 + 1.5 * skeleton.contraction().noise : 0.;
-
-  // connected components of a graph whose many edges need not be kept
-  std::vector<std::size_t> rank(skeleton.size()), parent(skeleton.size());
-  boost::disjoint_sets<std::size_t*, std::size_t*> components(rank.data(), parent.data());
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    components.make_set(i);
-  std::vector<std::size_t> ball;
-  for (std::size_t i = 0; i < positions.size(); ++i)
-  {
-    if (is_in_corner[i])
-      continue;
-    search.query(positions[i], options.connection_radius, ball);
-    for (std::size_t j : ball)
-      if (j < i && !is_in_corner[j]
-          && (!options.use_tangents
-              || internal::do_tangents_agree(skeleton.contraction().curves[i], skeleton.contraction().curves[j],
-                                             least_cosine, tolerance)))
-        components.union_set(i, j);
-  }
-  const std::size_t none = skeleton.size();
-  std::vector<std::size_t> cluster_of_component(skeleton.size(), none);
-  for (std::size_t i = 0; i < positions.size(); ++i)
-  {
-    if (is_in_corner[i])
-      continue;
-    std::size_t& cluster = cluster_of_component[components.find_set(i)];
-    if (cluster == none)
-    {
-      cluster = clusters.size();
-      clusters.emplace_back();
-    }
-    clusters[cluster].push_back(i);
-  }
-  return clusters;
+  return internal::segment_curves(skeleton, corners, internal::extraction_options(np));
 }
 
 } // namespace Wireframe_extraction

@@ -13,177 +13,18 @@
 #define CGAL_WIREFRAME_EXTRACTION_SELECT_SKELETON_H
 
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
-#include <CGAL/Wireframe_extraction/internal/base/cell_key.h>
-#include <CGAL/Wireframe_extraction/internal/base/median.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Range_source.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/cloud_access.h>
+#include <CGAL/Wireframe_extraction/internal/field/select_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <tuple>
-#include <unordered_set>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Wireframe_extraction {
-
-namespace internal {
-
-// Sorts the points by distance, and takes out those that lie where another one does: the one with the smallest distance
-// stays.
-inline std::size_t sort_band(Field_band& band)
-{
-  std::vector<std::size_t> order(band.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-    order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    const Vector &p = band.points[a], &q = band.points[b];
-    return std::make_tuple(band.distances[a], p.squaredNorm(), p.x(), p.y(), p.z(), band.indices[a])
-      < std::make_tuple(band.distances[b], q.squaredNorm(), q.x(), q.y(), q.z(), band.indices[b]);
-  });
-  std::vector<Vector> positions;
-  for (std::size_t i : order)
-    positions.push_back(band.points[i]);
-  Field_band sorted;
-  for (std::size_t k : different_positions(positions))
-  {
-    sorted.points.push_back(positions[k]);
-    sorted.distances.push_back(band.distances[order[k]]);
-    sorted.indices.push_back(band.indices[order[k]]);
-    if (!band.is_on_crease.empty())
-      sorted.is_on_crease.push_back(band.is_on_crease[order[k]]);
-    if (!band.deviations.empty())
-      sorted.deviations.push_back(band.deviations[order[k]]);
-  }
-  band = std::move(sorted);
-  return order.size() - band.size();
-}
-
-// Sorts the points, says which are the skeleton, and indexes all. Returns how many were left out.
-inline std::size_t complete_band(Field_band& band, double skeleton_distance)
-{
-  const std::size_t duplicates = sort_band(band);
-  band.skeleton_size =
-    std::lower_bound(band.distances.begin(), band.distances.end(), skeleton_distance) - band.distances.begin();
-  band.search.build(band.points, band.size());
-  return duplicates;
-}
-
-// The places within about `reach` of some positions, cell by cell: from `reach` at least to three times as much.
-class Neighborhood_cells
-{
-  double m_cell;
-  std::unordered_set<std::uint64_t> m_cells;
-
-  std::uint64_t key(const Vector& p, int dx, int dy, int dz) const
-  {
-    const auto index = [&](double x) { return static_cast<std::int64_t>(std::floor(x / m_cell)); };
-    return cell_key(index(p.x()) + dx, index(p.y()) + dy, index(p.z()) + dz);
-  }
-
-public:
-  explicit Neighborhood_cells(double reach) : m_cell(reach) {}
-
-  void add(const Vector& p)
-  {
-    for (int dx = -1; dx <= 1; ++dx)
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dz = -1; dz <= 1; ++dz)
-          m_cells.insert(key(p, dx, dy, dz));
-  }
-
-  bool holds(const Vector& p) const { return m_cells.count(key(p, 0, 0, 0)) > 0; }
-};
-
-// Positions farther than that from the features belong to no shape: scanners write such points where they saw nothing.
-constexpr double farthest_in_units = 1e9;
-
-// Moves the points of a band into local coordinates, whose origin is their mean. Returns how many were left out since
-// they are too far away.
-inline std::size_t localize(Field_band& band, double unit, Vector& origin)
-{
-  origin = median_position(band.points);
-  Vector mean = Vector::Zero();
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < band.size(); ++i)
-  {
-    const Vector p = (band.points[i] - origin) / unit;
-    if (!(p.cwiseAbs().maxCoeff() < farthest_in_units))
-      continue;
-    band.points[kept] = p;
-    band.distances[kept] = band.distances[i] / unit;
-    band.indices[kept] = band.indices[i];
-    mean += p;
-    ++kept;
-  }
-  const std::size_t strays = band.size() - kept;
-  band.points.resize(kept);
-  band.distances.resize(kept);
-  band.indices.resize(kept);
-  mean /= (std::max)(1., double(kept));
-  for (Vector& p : band.points)
-    p -= mean;
-  origin += unit * mean;
-  return strays;
-}
-
-// `cloud.for_each(f)` calls `f(position, distance, index)` for every point
-template <class Cloud, class GeomTraits>
-Wireframe_skeleton<GeomTraits> select_skeleton(const Cloud& cloud, double unit, const Extraction_options& options,
-                                               const GeomTraits& traits)
-{
-  auto band = std::make_shared<Field_band>();
-  Vector origin = Vector::Zero();
-  std::size_t duplicates = 0, strays = 0;
-  if (unit > 0.)
-  {
-    const double widest = unit * (std::max)(options.skeleton_distance, options.support_distance);
-    cloud.for_each([&](const Vector& position, double distance, std::size_t index) {
-      if (!(distance < widest))
-        return;
-      band->points.push_back(position);
-      band->distances.push_back(distance);
-      band->indices.push_back(index);
-    });
-    strays = localize(*band, unit, origin);
-    duplicates = complete_band(*band, options.skeleton_distance);
-  }
-  return Wireframe_skeleton<GeomTraits>(band, std::make_shared<Field_band>(), unit, origin, duplicates, strays, traits);
-}
-
-// The points around the skeleton whatever their distances say: what the surface looks like there.
-template <class Cloud, class GeomTraits>
-void select_surroundings(const Cloud& cloud, const Extraction_options& options,
-                         Wireframe_skeleton<GeomTraits>& skeleton)
-{
-  auto surroundings = std::make_shared<Field_band>();
-  const Field_band& band = skeleton.band();
-  Neighborhood_cells cells(2. * options.fitting_radius);
-  for (std::size_t i = 0; i < band.skeleton_size; ++i)
-    cells.add(band.points[i]);
-  cloud.for_each([&](const Vector& position, double distance, std::size_t index) {
-    const Vector p = skeleton.to_local(position);
-    if (!(p.cwiseAbs().maxCoeff() < farthest_in_units) || !cells.holds(p))
-      return;
-    surroundings->points.push_back(p);
-    surroundings->distances.push_back(distance / skeleton.unit());
-    surroundings->indices.push_back(index);
-  });
-  sort_band(*surroundings);
-  surroundings->skeleton_size = band.skeleton_size;
-  surroundings->search.build(surroundings->points, surroundings->size());
-  skeleton.set_surroundings(surroundings);
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgWireframeExtractionFunctions
@@ -270,10 +111,10 @@ select_skeleton(const PointRange& points, const NamedParameters& np = CGAL::para
   if (!(unit > 0.))
     unit = cloud.scale().sampling_distance;
   const internal::Extraction_options options = internal::extraction_options(np);
-  auto skeleton = internal::select_skeleton(cloud, unit, options, access.traits());
-  if (options.use_creases && !skeleton.is_empty())
+  internal::Skeleton_data skeleton = internal::select_skeleton(cloud, unit, options);
+  if (options.use_creases && skeleton.size() > 0)
     internal::select_surroundings(cloud, options, skeleton);
-  return skeleton;
+  return {std::move(skeleton), access.traits()};
 }
 
 } // namespace Wireframe_extraction

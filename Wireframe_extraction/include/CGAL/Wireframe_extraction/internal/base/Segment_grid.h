@@ -12,8 +12,8 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_BASE_SEGMENT_GRID_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_BASE_SEGMENT_GRID_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/cell_key.h>
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
 
 #include <algorithm>
 #include <array>

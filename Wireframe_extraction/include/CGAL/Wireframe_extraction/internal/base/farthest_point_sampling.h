@@ -12,7 +12,8 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_BASE_FARTHEST_POINT_SAMPLING_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_BASE_FARTHEST_POINT_SAMPLING_H
 
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/base/Ball_search.h>
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 
 #include <algorithm>
 #include <cstddef>

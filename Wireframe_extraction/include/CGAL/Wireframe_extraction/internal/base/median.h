@@ -12,7 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_BASE_MEDIAN_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_BASE_MEDIAN_H
 
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -14,6 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/internal/cloud/Cloud_values.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Distance_histogram.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Position_sample.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/sampling_distance.h>
 
 #include <boost/sort/spreadsort/float_sort.hpp>

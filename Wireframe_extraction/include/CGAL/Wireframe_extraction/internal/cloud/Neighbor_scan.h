@@ -14,6 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/internal/base/cell_key.h>
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
+#include <CGAL/Wireframe_extraction/internal/base/position_search_traits.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/sampling_distance.h>
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>
@@ -163,9 +164,7 @@ public:
   // or more than there are neighbors.
   void start(const std::vector<Vector>& positions, const std::vector<double>& distances)
   {
-    typedef CGAL::Search_traits<double, Vector, const double*, Construct_vector_coordinates, CGAL::Dimension_tag<3>>
-      Base_traits;
-    typedef CGAL::Search_traits_adapter<std::size_t, Position_map, Base_traits> Traits;
+    typedef Position_search_traits Traits;
     typedef CGAL::Orthogonal_k_neighbor_search<Traits> Search;
     typedef typename Search::Tree Tree;
     if (positions.empty())

@@ -13,10 +13,12 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_SURVEYED_CLOUD_H
 
 #include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
+#include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Cloud_scale.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Cloud_values.h>
-#include <CGAL/Wireframe_extraction/internal/cloud/Density_candidates.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Distance_histogram.h>
-#include <CGAL/Wireframe_extraction/internal/cloud/Neighbor_scan.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Position_sample.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <algorithm>
@@ -38,6 +40,8 @@ std::size_t points_in_memory(const NamedParameters& np)
   return static_cast<std::size_t>(CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(np, internal_np::points_in_memory), std::size_t(1) << 20));
 }
+
+class Neighbor_scan;
 
 // A cloud of which what all stages ask is known after it was read once. A small one is then in memory; a large one
 // stays where it is, and is read again whenever all points are wanted. What it tells is the same either way.
@@ -76,19 +80,7 @@ public:
   const Cloud_values& sample() const { return m_sample.values(); }
 
   // reads it for the first time
-  bool survey()
-  {
-    m_sample.reserve(m_source.size_hint());
-    const bool is_read = m_source.read([&](const Sample* first, const Sample* beyond) {
-      for (; first != beyond; ++first)
-        survey(*first);
-      return true;
-    });
-    m_sample.thin_out();
-    if (!is_read)
-      m_error = reason();
-    return is_read;
-  }
+  bool survey();
 
   // calls `use(position, distance, index)` for every valid point
   template <class Use>
@@ -115,143 +107,42 @@ public:
         + std::to_string(index) + " later; let it be unchanged meanwhile";
   }
 
-  Cloud_scale scale() const
-  {
-    Cloud_values others; // candidates that are not in memory
-    const Cloud_values& values = is_in_memory() ? sample() : others;
-    const std::vector<std::size_t> queries = density_queries(values, others);
-    if (is_in_memory() && sample().size() <= least_to_scan)
-      return cloud_scale(sample().positions, sample().distances, queries);
-    Neighbor_scan scan;
-    for (std::size_t i : queries)
-      scan.add_query(values.positions[i], values.distances[i]);
-    if (is_in_memory())
-    {
-      start_with_few(scan);
-      scan.add(sample().positions, sample().distances);
-    }
-    else
-    {
-      scan.start(sample().positions, sample().distances);
-      for_each([&scan](const Vector& position, double distance, std::size_t) { scan.add(position, distance); });
-    }
-    return scan.scale();
-  }
+  Cloud_scale scale() const;
 
 private:
   // from so many points on, looking at all of them is faster than a tree of all
   static constexpr std::size_t least_to_scan = 65536;
 
-  void start_with_few(Neighbor_scan& scan) const
-  {
-    Position_sample few(sample().size() / 8);
-    sample().for_each([&few](const Vector& p, double distance, std::size_t index) { few.add(p, distance, index); });
-    few.thin_out();
-    scan.start(few.values().positions, few.values().distances);
-  }
+  void start_with_few(Neighbor_scan& scan) const;
 
   static bool is_finite(const Sample& s)
   {
     return std::isfinite(s.x) && std::isfinite(s.y) && std::isfinite(s.z) && std::isfinite(s.distance);
   }
 
-  std::string reason() const
-  {
-    const std::string text = m_source.error_message();
-    return text.empty() ? "the cloud cannot be read" : text;
-  }
+  std::string reason() const;
 
-  void survey(const Sample& s)
-  {
-    const std::size_t index = m_number_of_points++;
-    const bool has_numbers = is_finite(s);
-    if (!has_numbers || !(s.distance >= 0.))
-    {
-      if (m_not_finite + m_negative == 0)
-        m_first_invalid = index;
-      ++(has_numbers ? m_negative : m_not_finite);
-      return;
-    }
-    if (m_sample.is_full())
-      start_histogram();
-    m_sample.add(Vector(s.x, s.y, s.z), s.distance, index);
-    if (m_histogram)
-      m_histogram->add(s.distance);
-    m_smallest = (std::min)(m_smallest, s.distance);
-    if (s.distance > m_largest)
-    {
-      m_largest = s.distance;
-      m_number_of_largest = 0;
-    }
-    m_number_of_largest += s.distance == m_largest;
-  }
+  void survey(const Sample& s);
 
   // from now on the points are too many to be in memory
-  void start_histogram()
-  {
-    m_histogram = std::make_unique<Distance_histogram>();
-    for (double distance : m_sample.values().distances)
-      m_histogram->add(distance);
-  }
+  void start_histogram();
 
   // The points at which the density is measured, as indices of `values`: the sample if it is the whole cloud, else `others`,
   // which is filled. They are evenly spread over the ranks of the distances: the same points whatever the order of the
   // cloud. Those at the largest value are left out, since a field is truncated there.
-  std::vector<std::size_t> density_queries(const Cloud_values& values, Cloud_values& others) const
-  {
-    static constexpr std::size_t least = 64;
-    const std::size_t count = number_of_valid() - m_number_of_largest;
-    if (count < least)
-    { // the field is hardly known anywhere
-      if (!is_in_memory())
-        others = sample();
-      return spread_positions(values);
-    }
-    std::vector<std::size_t> ranks = spread_indices(count);
-    if (!is_in_memory())
-      read_candidates(ranks, others);
-    const Density_candidates candidates(values, m_largest);
-    std::vector<std::size_t> queries, clear_queries;
-    for (std::size_t rank : ranks)
-    {
-      if (rank >= candidates.size())
-        continue;
-      const std::size_t clear = candidates.nearest_clear_one(rank);
-      const bool is_clear = clear < candidates.size();
-      queries.push_back(candidates.index(is_clear ? clear : rank));
-      if (is_clear)
-        clear_queries.push_back(queries.back());
-    }
-    // a coarse field tells hardly any points apart
-    return clear_queries.size() < least ? queries : clear_queries;
-  }
+  std::vector<std::size_t> density_queries(const Cloud_values& values, Cloud_values& others) const;
 
   // Those points whose distances are in the same bins of the histogram as the wanted ones. The ranks become ranks among
   // them.
-  void read_candidates(std::vector<std::size_t>& ranks, Cloud_values& candidates) const
-  {
-    std::vector<bool> is_wanted(Distance_histogram::number_of_bins, false);
-    std::size_t next = 0;
-    std::uint64_t passed_over = 0;
-    m_histogram->for_each_bin([&](Distance_histogram::Bin bin, std::uint64_t smaller, std::uint64_t number) {
-      if (next == ranks.size() || ranks[next] >= smaller + number)
-      {
-        passed_over += number;
-        return;
-      }
-      is_wanted[bin] = true;
-      for (; next < ranks.size() && ranks[next] < smaller + number; ++next)
-        ranks[next] -= static_cast<std::size_t>(passed_over);
-    });
-    for_each([&](const Vector& position, double distance, std::size_t index) {
-      if (is_wanted[Distance_histogram::bin(distance)] && distance < m_largest)
-        candidates.add(position, distance, index);
-    });
-  }
+  void read_candidates(std::vector<std::size_t>& ranks, Cloud_values& candidates) const;
 };
 
 } // namespace internal
 } // namespace Wireframe_extraction
 } // namespace CGAL
+
+#ifdef CGAL_WIREFRAME_EXTRACTION_HEADER_ONLY
+#include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud_impl.h>
+#endif
 
 #endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_SURVEYED_CLOUD_H

@@ -12,7 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_CLOUD_ACCESS_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_CLOUD_ACCESS_H
 
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <CGAL/Kernel_traits.h>

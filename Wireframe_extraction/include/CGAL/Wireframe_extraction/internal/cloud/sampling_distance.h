@@ -12,8 +12,11 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_SAMPLING_DISTANCE_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_SAMPLING_DISTANCE_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
+#include <CGAL/Wireframe_extraction/internal/base/different_positions.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/base/position_search_traits.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Cloud_scale.h>
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/number_utils.h>
@@ -38,12 +41,6 @@ inline std::vector<std::size_t> spread_indices(std::size_t n)
     indices[k] = k * n / count;
   return indices;
 }
-
-struct Cloud_scale
-{
-  double sampling_distance = 0.;
-  double slope = 0.; // of the field between neighbors: about 1 if points and distances have the same unit
-};
 
 constexpr std::size_t density_neighbors = 16;
 
@@ -81,9 +78,7 @@ public:
 inline Cloud_scale cloud_scale(const std::vector<Vector>& positions, const std::vector<double>& distances,
                                const std::vector<std::size_t>& queries)
 {
-  typedef CGAL::Search_traits<double, Vector, const double*, Construct_vector_coordinates, CGAL::Dimension_tag<3>>
-    Base_traits;
-  typedef CGAL::Search_traits_adapter<std::size_t, Position_map, Base_traits> Traits;
+  typedef Position_search_traits Traits;
   typedef CGAL::Orthogonal_k_neighbor_search<Traits> Search;
   typedef typename Search::Tree Tree;
   if (positions.size() < 2)

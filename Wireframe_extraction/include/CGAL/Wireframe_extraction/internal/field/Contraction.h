@@ -12,13 +12,9 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CONTRACTION_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CONTRACTION_H
 
-#include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
-#include <CGAL/Wireframe_extraction/internal/base/median.h>
-#include <CGAL/Wireframe_extraction/internal/network/Curve_tracer.h>
+#include <CGAL/Wireframe_extraction/internal/field/Local_curve.h>
+#include <CGAL/Wireframe_extraction/internal/field/Traced_curve.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -36,50 +32,6 @@ struct Contraction
   // whether the field is so good that the surface adds nothing
   bool is_precise() const { return noise < 0.03; }
 };
-
-// `proceed(share)` returns whether to go on; this returns whether it did
-template <class Proceed>
-bool contract(const Field_band& band, double radius, const Proceed& proceed, Contraction& result)
-{
-  result.curves.resize(band.skeleton_size);
-  result.residuals.resize(band.skeleton_size);
-  std::vector<std::size_t> order = band.search.spatial_order();
-  order.erase(std::remove_if(order.begin(), order.end(), [&](std::size_t i) { return i >= band.skeleton_size; }),
-              order.end());
-  const bool is_complete = for_each_piece_or_cancel(
-    order.size(),
-    [&](std::size_t begin, std::size_t end) {
-      Local_curve_fit fit(band);
-      Local_fit_options options;
-      options.radius = radius;
-      for (std::size_t k = begin; k < end; ++k)
-      {
-        const std::size_t i = order[k];
-        result.residuals[i] = fit.refine_with_best_radius(result.curves[i], options,
-                                                          [&](Local_curve& curve, const Local_fit_options& scaled) {
-                                                            curve = fit.principal_axis(band.points[i], scaled.radius);
-                                                            fit.refine(curve, band.points[i], scaled);
-                                                            // the sign of an eigenvector is arbitrary: the first point of the ball that is clearly on one side decides
-                                                            double side = 0.;
-                                                            std::size_t first = band.size();
-                                                            for (std::size_t j : fit.ball())
-                                                            {
-                                                              const double s = curve.parameter(band.points[j]);
-                                                              if (std::abs(s) > 0.5 && j < first)
-                                                              {
-                                                                first = j;
-                                                                side = s;
-                                                              }
-                                                            }
-                                                            if (side < 0.)
-                                                              curve.tangent = -curve.tangent;
-                                                          });
-      }
-    },
-    proceed);
-  result.noise = median(result.residuals);
-  return is_complete;
-}
 
 } // namespace internal
 } // namespace Wireframe_extraction

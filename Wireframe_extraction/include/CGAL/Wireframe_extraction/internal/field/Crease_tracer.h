@@ -11,8 +11,12 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CREASE_TRACER_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CREASE_TRACER_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/field/Crease_fit.h>
-#include <CGAL/Wireframe_extraction/internal/network/Curve_tracer.h>
+#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/field/Traced_curve.h>
+#include <CGAL/Wireframe_extraction/internal/field/fronts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -237,7 +241,7 @@ private:
     for (std::size_t i : m_ball)
     {
       const double distance = curve.distance(m_band.points[i]);
-      const bool agrees = std::abs(m_band.distances[i] - distance) < Tracing_options::tolerance(m_field_noise);
+      const bool agrees = std::abs(m_band.distances[i] - distance) < agreement_tolerance(m_field_noise);
       (agrees ? agreeing : opposing) += 1. / (0.5 + distance);
     }
     return agreeing > opposing;

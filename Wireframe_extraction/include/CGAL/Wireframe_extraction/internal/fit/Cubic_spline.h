@@ -12,12 +12,10 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_CUBIC_SPLINE_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_CUBIC_SPLINE_H
 
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
+#include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
 #include <CGAL/Wireframe_extraction/internal/spline/spline_basis.h>
 #include <CGAL/Wireframe_extraction/internal/spline/spline_pieces.h>
-
-#include <Eigen/Sparse>
-#include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <array>
@@ -142,49 +140,7 @@ public:
   }
 
   // least squares through positions at parameters; the ends of a clamped spline are fixed
-  void interpolate(const std::vector<double>& parameters, const std::vector<Vector>& positions)
-  {
-    const std::size_t n = m_points.size();
-    std::vector<Eigen::Triplet<double>> entries;
-    Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(n, 3);
-    const auto add = [&](const Basis& b, double weight, const Vector& p) {
-      for (std::size_t j = 0; j < 4; ++j)
-      {
-        right.row(b.controls[j]) += weight * b.values[j] * p.transpose();
-        for (std::size_t k = 0; k < 4; ++k)
-          entries.emplace_back(b.controls[j], b.controls[k], weight * b.values[j] * b.values[k]);
-      }
-    };
-    for (std::size_t i = 0; i < parameters.size(); ++i)
-      add(basis(parameters[i]), 1., positions[i]);
-    if (!m_is_periodic)
-    {
-      add(basis(front()), 1e6, positions.front());
-      add(basis(back()), 1e6, positions.back());
-    }
-    // a control polygon without bends where there is no data
-    const double smooth = 1e-6;
-    for (std::size_t i = 0; i + 2 < n; ++i)
-    {
-      const double c[3] = {1., -2., 1.};
-      for (int j = 0; j < 3; ++j)
-        for (int k = 0; k < 3; ++k)
-          entries.emplace_back(i + j, i + k, smooth * c[j] * c[k]);
-    }
-    for (std::size_t i = 0; i < n; ++i)
-      entries.emplace_back(i, i, 1e-12);
-    Eigen::SparseMatrix<double> matrix(n, n);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
-    const Eigen::MatrixX3d solution = solver.solve(right);
-    for (std::size_t i = 0; i < n; ++i)
-      m_points[i] = solution.row(i).transpose();
-    if (!m_is_periodic)
-    {
-      m_points.front() = positions.front();
-      m_points.back() = positions.back();
-    }
-  }
+  void interpolate(const std::vector<double>& parameters, const std::vector<Vector>& positions);
 
   // the clamped form
   Spline_data to_data() const
@@ -209,5 +165,9 @@ public:
 } // namespace internal
 } // namespace Wireframe_extraction
 } // namespace CGAL
+
+#ifdef CGAL_WIREFRAME_EXTRACTION_HEADER_ONLY
+#include <CGAL/Wireframe_extraction/internal/fit/Cubic_spline_impl.h>
+#endif
 
 #endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_CUBIC_SPLINE_H

@@ -17,6 +17,7 @@
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
 #include <CGAL/Wireframe_extraction/internal/field/polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/fit/Cubic_spline.h>
+#include <CGAL/Wireframe_extraction/internal/fit/Fitted_curve.h>
 #include <CGAL/Wireframe_extraction/internal/fit/ceres_support.h>
 #include <CGAL/Wireframe_extraction/internal/fit/spline_residuals.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
@@ -24,7 +25,6 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -36,21 +36,6 @@
 namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
-
-// A path of the topological graph that becomes a spline.
-struct Fitted_curve
-{
-  std::vector<Vector> path;            // closed: the first point again at the end
-  std::array<std::size_t, 2> vertices; // of the network, or `no_vertex` on a closed curve without
-  Cubic_spline spline;
-  double root_mean_square = 0., maximum_deviation = 0.;
-  std::size_t support = 0;
-
-  static constexpr std::size_t no_vertex = static_cast<std::size_t>(-1);
-  bool is_closed_without_vertex() const { return vertices[0] == no_vertex; }
-  bool is_loop() const { return !is_closed_without_vertex() && vertices[0] == vertices[1]; }
-  std::size_t least_spans() const { return is_closed_without_vertex() ? 4 : is_loop() ? 3 : 1; }
-};
 
 // Fits the splines of all curves at once; the curves that meet in a vertex share it.
 class Spline_network_fit

@@ -12,8 +12,8 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_SPLINE_RESIDUALS_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_SPLINE_RESIDUALS_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
 #include <CGAL/Wireframe_extraction/internal/fit/Cauchy_factor.h>
 #include <CGAL/Wireframe_extraction/internal/fit/ceres_support.h>
 

@@ -12,8 +12,9 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CURVE_NETWORK_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CURVE_NETWORK_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
-#include <CGAL/Wireframe_extraction/internal/network/Curve_tracer.h>
+#include <CGAL/Wireframe_extraction/internal/field/Traced_curve.h>
 
 #include <array>
 #include <cstddef>

@@ -13,116 +13,22 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CURVE_TRACER_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
-#include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
-#include <CGAL/Wireframe_extraction/internal/field/Local_curve.h>
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
+#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/field/Local_curve_fit.h>
+#include <CGAL/Wireframe_extraction/internal/field/Traced_curve.h>
+#include <CGAL/Wireframe_extraction/internal/field/fronts.h>
+#include <CGAL/Wireframe_extraction/internal/network/Field_explanation.h>
+#include <CGAL/Wireframe_extraction/internal/network/Tracing_options.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
-
-// A curve followed through the field, as a polyline. Where it is open, the tips tell how it goes on: a local curve
-// whose tangent points outward, at the last position that the field supports.
-struct Traced_curve
-{
-  std::vector<Vector> points;
-  bool is_closed = false;                // the last point is then the first one
-  Local_curve tips[2];                   // at the first and at the last point
-  bool ends_in_void[2] = {false, false}; // no data beyond the tip, rather than data that speak against the curve
-  std::vector<double> residuals;         // of the local fits along the curve
-
-  // a low quantile, since other curves disturb the fits near the ends
-  double typical_residual() const
-  {
-    if (residuals.empty())
-      return 1.;
-    std::vector<double> sorted = residuals;
-    const std::size_t k = sorted.size() * 2 / 5;
-    std::nth_element(sorted.begin(), sorted.begin() + k, sorted.end());
-    return sorted[k];
-  }
-
-  double length() const { return polyline_length(points); }
-};
-
-struct Tracing_options
-{
-  double noise = 0.1; // typical residual of the field near curves
-  double step = 0.5;
-  double radius = 4.;        // of the balls the local fits use
-  double maximum_gap = 3.;   // bridged without any evidence
-  double maximum_turn = 0.6; // per step, in radians
-
-  double tolerance() const { return tolerance(noise); }
-  static double tolerance(double deviation) { return (std::max)(0.2, 2.5 * deviation); }
-  double maximum_doubt() const { return 0.25 + 4. * noise; }
-  double fit_scale() const { return (std::max)(0.15, 2. * noise); }
-};
-
-// whether a curve in the grid, other than the ignored one, runs within `reach` of the front, in its direction
-inline bool runs_along(const Segment_grid& curves, const Local_curve& front, double reach,
-                       std::size_t ignored = Segment_grid::no_curve)
-{
-  return curves
-    .nearest(front.point, reach,
-             [&](const Segment_grid::Hit& hit) {
-               return hit.curve != ignored && std::abs(hit.direction.dot(front.tangent)) > 0.85;
-             })
-    .is_valid();
-}
-
-// whether the next step of a front leads to where it started
-inline bool has_returned(const Local_curve& start, const Local_curve& front, double step, double tolerance)
-{
-  const Vector offset = start.point - front.point;
-  const double s = offset.dot(front.tangent);
-  return s > -0.1 && s < 1.2 * step && start.tangent.dot(front.tangent) > 0.8
-    && (offset - s * front.tangent).norm() < tolerance;
-}
-
-// What the field says of curves: which of the band's points agree with them.
-class Field_explanation
-{
-  const Field_band& m_band;
-  std::vector<double> m_distances; // of each point of the band to the curves so far
-  mutable std::vector<std::size_t> m_ball;
-
-public:
-  explicit Field_explanation(const Field_band& band)
-    : m_band(band), m_distances(band.size(), (std::numeric_limits<double>::infinity)())
-  {}
-
-  void add(const std::vector<Vector>& polyline)
-  {
-    for (std::size_t k = 1; k < polyline.size(); ++k)
-      add(polyline[k - 1], polyline[k]);
-  }
-
-  void add(const Vector& a, const Vector& b)
-  {
-    const std::size_t pieces = 1 + static_cast<std::size_t>((b - a).norm() / 2.);
-    for (std::size_t k = 0; k < pieces; ++k)
-    {
-      const Vector from = a + (b - a) * (double(k) / pieces), to = a + (b - a) * (double(k + 1) / pieces);
-      m_band.search.query(0.5 * (from + to), 3.5 + 0.5 * (to - from).norm(), m_ball);
-      for (std::size_t i : m_ball)
-        m_distances[i] = (std::min)(m_distances[i], std::sqrt(squared_distance_to_segment(m_band.points[i], from, to)));
-    }
-  }
-
-  double distance(std::size_t i) const { return m_distances[i]; }
-  const std::vector<double>& distances() const { return m_distances; }
-
-  bool is_explained(std::size_t i, double noise) const
-  {
-    return m_band.distances[i] > m_distances[i] - Tracing_options::tolerance(m_band.deviation(i, noise));
-  }
-};
 
 // Follows a curve from a local fit in both directions, step by step, as long as the field agrees.
 class Curve_tracer
@@ -225,7 +131,7 @@ public:
       if (distance > 1.6)
         continue;
       const double weight = 1. / (0.5 + distance);
-      const double tolerance = Tracing_options::tolerance(m_band.deviation(i, m_options.noise));
+      const double tolerance = agreement_tolerance(m_band.deviation(i, m_options.noise));
       const double e = m_band.distances[i] - distance;
       // a point that lies nearer to another curve says nothing about this one
       if (e < 0. && m_explanation && std::abs(m_band.distances[i] - m_explanation->distance(i)) < tolerance)

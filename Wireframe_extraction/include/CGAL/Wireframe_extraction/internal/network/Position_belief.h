@@ -12,7 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_POSITION_BELIEF_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_POSITION_BELIEF_H
 
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 
 #include <Eigen/Cholesky>
 

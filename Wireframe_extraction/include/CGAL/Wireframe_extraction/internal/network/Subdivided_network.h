@@ -13,6 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SUBDIVIDED_NETWORK_H
 
 #include <CGAL/Wireframe_extraction/internal/network/Curve_network.h>
+#include <CGAL/Wireframe_extraction/internal/network/corner_groups.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 
 #include <Eigen/Eigenvalues>
@@ -41,18 +42,13 @@ class Subdivided_network
   const Extraction_options& m_options;
 
 public:
-  struct Corner
-  {
-    Vector center;
-    double radius;
-  };
-
   Subdivided_network(const Field_band& band, const Extraction_options& options) : m_band(band), m_options(options) {}
 
-  Curve_network run(const std::vector<std::vector<std::size_t>>& clusters, const std::vector<Corner>& corners) const
+  Curve_network run(const std::vector<std::vector<std::size_t>>& clusters,
+                    const std::vector<Corner_group>& corners) const
   {
     Curve_network network;
-    for (const Corner& corner : corners)
+    for (const Corner_group& corner : corners)
       network.nodes.push_back(corner.center);
     for (const std::vector<std::size_t>& cluster : clusters)
       if (cluster.size() >= 3)
@@ -61,7 +57,8 @@ public:
   }
 
 private:
-  void add(const std::vector<std::size_t>& cluster, const std::vector<Corner>& corners, Curve_network& network) const
+  void add(const std::vector<std::size_t>& cluster, const std::vector<Corner_group>& corners,
+           Curve_network& network) const
   {
     const Distance_graph graph = neighbors(cluster);
     bool is_closed = false;
@@ -247,7 +244,7 @@ private:
     }
   }
 
-  std::size_t join_to_corner(std::vector<Vector>& polyline, int e, const std::vector<Corner>& corners,
+  std::size_t join_to_corner(std::vector<Vector>& polyline, int e, const std::vector<Corner_group>& corners,
                              Curve_network& network) const
   {
     const Vector end = e == 0 ? polyline.front() : polyline.back();

@@ -12,11 +12,16 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_TRACED_NETWORK_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_TRACED_NETWORK_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/field/Contraction.h>
+#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
 #include <CGAL/Wireframe_extraction/internal/fit/Spline_network_fit.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_end_joiner.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_evidence.h>
+#include <CGAL/Wireframe_extraction/internal/network/Curve_tracer.h>
+#include <CGAL/Wireframe_extraction/internal/network/Field_explanation.h>
 #include <CGAL/Wireframe_extraction/internal/network/Surface_evidence.h>
+#include <CGAL/Wireframe_extraction/internal/network/Tracing_options.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 
 #include <algorithm>
@@ -68,10 +73,7 @@ public:
 private:
   static constexpr int number_of_passes = 2;
 
-  double tolerance_of(std::size_t i) const
-  {
-    return Tracing_options::tolerance(m_band.deviation(i, m_contraction.noise));
-  }
+  double tolerance_of(std::size_t i) const { return agreement_tolerance(m_band.deviation(i, m_contraction.noise)); }
 
   Curve_network join(Curve_network network, bool is_smooth) const
   {

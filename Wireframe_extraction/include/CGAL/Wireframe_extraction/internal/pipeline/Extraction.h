@@ -14,17 +14,24 @@
 
 #include <CGAL/Wireframe_extraction/Default_visitor.h>
 #include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
+#include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/Wireframe_corner.h>
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
-#include <CGAL/Wireframe_extraction/build_topological_graph.h>
-#include <CGAL/Wireframe_extraction/contract_skeleton.h>
-#include <CGAL/Wireframe_extraction/detect_corners.h>
-#include <CGAL/Wireframe_extraction/fit_curves.h>
+#include <CGAL/Wireframe_extraction/Wireframe_graph.h>
+#include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/input_checks.h>
+#include <CGAL/Wireframe_extraction/internal/field/contract.h>
+#include <CGAL/Wireframe_extraction/internal/field/refine.h>
+#include <CGAL/Wireframe_extraction/internal/field/select_skeleton.h>
+#include <CGAL/Wireframe_extraction/internal/fit/fit.h>
+#include <CGAL/Wireframe_extraction/internal/network/build_graph.h>
+#include <CGAL/Wireframe_extraction/internal/network/detect_corners.h>
+#include <CGAL/Wireframe_extraction/internal/network/segment_curves.h>
+#include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/Stage_runner.h>
-#include <CGAL/Wireframe_extraction/recognize_curve_types.h>
-#include <CGAL/Wireframe_extraction/refine_field.h>
-#include <CGAL/Wireframe_extraction/segment_curves.h>
-#include <CGAL/Wireframe_extraction/select_skeleton.h>
+#include <CGAL/Wireframe_extraction/internal/types/recognize.h>
+#include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/number_utils.h>
@@ -58,6 +65,7 @@ class Extraction
 {
   typedef Wireframe_extraction_report Report;
   typedef CGAL::Wireframe_curve<GeomTraits> Curve;
+  typedef Wireframe_skeleton<GeomTraits> Skeleton;
 
   const GeomTraits& m_traits;
   const NamedParameters& m_np;
@@ -67,7 +75,7 @@ class Extraction
   Stage_runner m_runner;
   const std::function<bool(double)> m_progress;
   std::unique_ptr<Surveyed_cloud> m_cloud; // as long as it is needed
-  Wireframe_skeleton<GeomTraits> m_skeleton;
+  Skeleton m_skeleton;
   std::vector<Wireframe_corner<GeomTraits>> m_corners;
   std::vector<std::vector<std::size_t>> m_clusters;
   Wireframe_graph<GeomTraits> m_graph;
@@ -160,7 +168,7 @@ private:
   bool find_skeleton(Visitor& visitor)
   {
     const double unit = m_report.sampling_distance;
-    if (!stage("skeleton", 0.1, [&] { m_skeleton = select_skeleton(*m_cloud, unit, m_options, m_traits); })
+    if (!stage("skeleton", 0.1, [&] { m_skeleton = Skeleton(select_skeleton(*m_cloud, unit, m_options), m_traits); })
         || !is_readable())
       return false;
     m_report.skeleton_size = m_skeleton.size();
@@ -168,12 +176,12 @@ private:
     if (m_skeleton.is_empty())
       return fail(Report::Status::NO_FEATURE, no_feature_message(*m_cloud, unit, m_options.skeleton_distance));
     visitor.skeleton_selected(m_skeleton);
-    if (!stage("contraction", 0.2, [&] { contract(m_skeleton, m_options, m_progress); }))
+    if (!stage("contraction", 0.2, [&] { contract(m_skeleton.data(), m_options, m_progress); }))
       return false;
     if (m_options.use_creases && (!stage("refinement", 0.6, [&] { refine_where_needed(); }) || !is_readable()))
       return false;
     m_cloud.reset();
-    m_report.noise = m_skeleton.contraction().noise * unit;
+    m_report.noise = m_skeleton.data().contraction->noise * unit;
     visitor.skeleton_contracted(m_skeleton);
     return true;
   }
@@ -181,11 +189,11 @@ private:
   // a precise field is as good as the surface, which need not be looked at
   void refine_where_needed()
   {
-    if (m_skeleton.contraction().is_precise())
+    if (m_skeleton.data().contraction->is_precise())
       return;
-    select_surroundings(*m_cloud, m_options, m_skeleton);
+    select_surroundings(*m_cloud, m_options, m_skeleton.data());
     if (m_cloud->error().empty())
-      refine(m_skeleton, m_options, m_progress);
+      refine(m_skeleton.data(), m_options, m_progress);
   }
 
   void warn_of_points_left_out()
@@ -204,10 +212,10 @@ private:
   template <class Visitor>
   bool find_curves(Visitor& visitor)
   {
-    if (!stage("corners", 0.62, [&] { m_corners = detect_corners(m_skeleton, m_np); }))
+    if (!stage("corners", 0.62, [&] { m_corners = detect_corners(m_skeleton, m_options); }))
       return false;
     visitor.corners_detected(m_skeleton, m_corners);
-    if (!stage("segmentation", 0.65, [&] { m_clusters = segment_curves(m_skeleton, m_corners, m_np); }))
+    if (!stage("segmentation", 0.65, [&] { m_clusters = segment_curves(m_skeleton, m_corners, m_options); }))
       return false;
     m_report.number_of_clusters = m_clusters.size();
     visitor.curves_segmented(m_skeleton, m_clusters);

@@ -12,7 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_PRIMITIVE_CURVE_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_PRIMITIVE_CURVE_H
 
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 
 #include <CGAL/number_type_basic.h>
 

@@ -14,9 +14,11 @@
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
-#include <CGAL/Wireframe_extraction/fit_curves.h>
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
+#include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
 #include <CGAL/Wireframe_extraction/internal/fit/Cubic_spline.h>
-#include <CGAL/Wireframe_extraction/internal/types/Curve_type_recognizer.h>
+#include <CGAL/Wireframe_extraction/internal/fit/to_spline.h>
+#include <CGAL/Wireframe_extraction/internal/types/Typed_piece.h>
 
 #include <CGAL/number_utils.h>
 
@@ -78,7 +80,7 @@ public:
   }
 
 private:
-  FT length(double value) const { return FT(value * m_skeleton.unit()); }
+  FT length(double value) const { return FT(value * m_skeleton.data().unit); }
 
   typename GeomTraits::Vector_3 direction(const Vector& v) const
   {

@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_CLOUD_SCALE_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_CLOUD_SCALE_H
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+struct Cloud_scale
+{
+  double sampling_distance = 0.;
+  double slope = 0.; // of the field between neighbors: about 1 if points and distances have the same unit
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_CLOUD_SCALE_H

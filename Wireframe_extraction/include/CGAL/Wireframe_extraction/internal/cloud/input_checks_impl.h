@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_INPUT_CHECKS_IMPL_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_INPUT_CHECKS_IMPL_H
+
+#include <CGAL/Wireframe_extraction/internal/base/median.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/input_checks.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+CGAL_WIREFRAME_EXTRACTION_INLINE bool survey(Surveyed_cloud& cloud, bool skip_invalid,
+                                             Wireframe_extraction_report& report)
+{
+  const bool is_read = cloud.survey();
+  const std::size_t invalid = cloud.number_of_not_finite() + cloud.number_of_negative();
+  report.number_of_points = cloud.number_of_points();
+  report.number_of_skipped_points = invalid;
+  std::ostringstream message;
+  if (!is_read)
+    message << cloud.error();
+  else if (cloud.number_of_points() == 0)
+    message << "the cloud has no points; a wireframe needs points of a surface";
+  else if (invalid > 0 && !skip_invalid)
+    message << cloud.number_of_not_finite() << " points have coordinates or distances that are not finite and "
+            << cloud.number_of_negative() << " have negative distances; the first is the point with index "
+            << cloud.first_invalid() << " (counted from 0); remove them, or leave them out by skip_invalid(true)";
+  else if (cloud.number_of_valid() == 0)
+    message << "none of the " << cloud.number_of_points() << " points is valid; repair coordinates and distances";
+  report.message = message.str();
+  return report.message.empty();
+}
+
+CGAL_WIREFRAME_EXTRACTION_INLINE int dimension(const std::vector<Vector>& positions,
+                                               const std::vector<std::size_t>& sample)
+{
+  std::vector<Vector> offsets;
+  for (std::size_t i : sample)
+    offsets.push_back(positions[i]);
+  const Vector center = median_position(offsets);
+  for (Vector& offset : offsets)
+    offset -= center;
+  std::sort(offsets.begin(), offsets.end(),
+            [](const Vector& a, const Vector& b) { return a.stableNorm() < b.stableNorm(); });
+  offsets.resize((std::max)(std::size_t(1), offsets.size() - offsets.size() / 10));
+  const double extent = offsets.back().stableNorm();
+  if (!(extent > 1e-12 * center.cwiseAbs().maxCoeff()))
+    return 0;
+  Vector mean = Vector::Zero();
+  for (Vector& offset : offsets)
+  {
+    offset /= extent;
+    mean += offset / double(offsets.size());
+  }
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (const Vector& offset : offsets)
+    covariance += (offset - mean) * (offset - mean).transpose() / double(offsets.size());
+  const Vector variances = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues();
+  return int(variances[0] > 1e-14) + int(variances[1] > 1e-14) + int(variances[2] > 1e-14);
+}
+
+CGAL_WIREFRAME_EXTRACTION_INLINE int dimension(const std::vector<Vector>& positions)
+{
+  const int result = dimension(positions, spread_indices(positions.size()));
+  if (result > 1)
+    return result;
+  // scanners write many points at one place: those count once
+  const std::vector<std::size_t> different = different_positions(positions);
+  std::vector<std::size_t> sample = spread_indices(different.size());
+  for (std::size_t& i : sample)
+    i = different[i];
+  return dimension(positions, sample);
+}
+
+CGAL_WIREFRAME_EXTRACTION_INLINE bool check_scale(const Surveyed_cloud& cloud, const Cloud_scale& scale, double given,
+                                                  Wireframe_extraction_report& report)
+{
+  std::ostringstream message;
+  if (cloud.smallest_distance() == cloud.largest_distance())
+    message << "all distances are " << cloud.smallest_distance() << ": this is no distance field; "
+            << "give each point its own distance to the nearest sharp curve";
+  else if (scale.slope > 8.)
+    message << "the distances do not fit the points: from point to point they change " << scale.slope
+            << " times as much as the points are apart; are they in another unit?";
+  else if (scale.slope < 0.1)
+    message << "the distances do not fit the points: from point to point they change only " << scale.slope
+            << " times as much as the points are apart; are they in another unit?";
+  else if (!(given >= 0.) || !std::isfinite(given))
+    message << "the sampling distance must be positive and finite, not " << given;
+  else if (given > 10. * scale.sampling_distance || (given > 0. && given < 0.1 * scale.sampling_distance))
+    message << "a sampling distance of " << given << " does not fit the points: their density says "
+            << scale.sampling_distance << "; is it in another unit?";
+  report.message = message.str();
+  if (report.message.empty() && (scale.slope > 4. || scale.slope < 0.6))
+  {
+    message << "from point to point the distances change " << scale.slope
+            << " times as much as the points are apart, so they have large errors or another unit";
+    report.warnings.push_back(message.str());
+  }
+  return report.message.empty();
+}
+
+CGAL_WIREFRAME_EXTRACTION_INLINE bool check_truncation(const Surveyed_cloud& cloud, double unit,
+                                                       const Extraction_options& options,
+                                                       Wireframe_extraction_report& report)
+{
+  static constexpr double least_share = 0.05;
+  const double largest = cloud.largest_distance() / unit;
+  if (double(cloud.number_of_largest()) < least_share * double(cloud.number_of_valid())
+      || largest >= options.support_distance)
+    return true;
+  std::ostringstream message;
+  message << "the distances are cut off at " << cloud.largest_distance() << ", " << largest
+          << " times the sampling distance " << unit << "; they must be known up to " << options.support_distance
+          << " times of it";
+  const bool is_usable = largest > options.skeleton_distance;
+  if (is_usable)
+    report.warnings.push_back(message.str());
+  else
+    report.message = message.str();
+  return is_usable;
+}
+
+CGAL_WIREFRAME_EXTRACTION_INLINE std::string no_feature_message(const Surveyed_cloud& cloud, double unit,
+                                                                double threshold)
+{
+  const double smallest = cloud.smallest_distance();
+  std::ostringstream message;
+  message << "no point lies near a feature: the smallest distance is " << smallest << ", the threshold is "
+          << threshold * unit << " (" << threshold << " times the sampling distance " << unit << ")";
+  if (smallest > 50. * unit)
+    message << "; are the distances in another unit than the points?";
+  return message.str();
+}
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_INPUT_CHECKS_IMPL_H

@@ -1,0 +1,251 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_LOCAL_CURVE_FIT_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_LOCAL_CURVE_FIT_H
+
+#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/field/Local_curve.h>
+#include <CGAL/Wireframe_extraction/internal/field/Section_sums.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+struct Local_fit_options
+{
+  double radius = 4.;          // of the ball the points come from
+  double scale = 0.3;          // residuals well above it count as outliers
+  double bend_deviation = 0.2; // expected size of the curvature
+  int iterations = 8;
+};
+
+// Fits a local curve to the field: the distances of the points to the curve shall be the field's values.
+// Robust Gauss-Newton steps on the sum of rho(d_i - |p_i - c(p_i)|).
+class Local_curve_fit
+{
+  struct Sample
+  {
+    Vector point;
+    double distance, deviation, weight;
+  };
+
+  const Field_band& m_band;
+  std::vector<std::size_t> m_ball;
+  Vector m_center = Vector::Zero();
+  double m_radius = -1.;
+  std::vector<Sample> m_samples; // of the ball, for a fit
+
+public:
+  explicit Local_curve_fit(const Field_band& band) : m_band(band) {}
+
+  const std::vector<std::size_t>& ball() const { return m_ball; }
+
+  // the main axis of the points near `center` weighted by their closeness to the feature
+  Local_curve principal_axis(const Vector& center, double radius)
+  {
+    return principal_axis(center, radius, [](std::size_t) { return true; });
+  }
+
+  // the same for those of the points that `accept` takes
+  template <class Accept>
+  Local_curve principal_axis(const Vector& center, double radius, const Accept& accept)
+  {
+    query(center, radius);
+    double total = 0.;
+    Vector mean = Vector::Zero();
+    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    for (std::size_t i : m_ball)
+    {
+      if (!accept(i))
+        continue;
+      const Vector offset = m_band.points[i] - center;
+      const double weight =
+        std::exp(-m_band.distances[i] * m_band.distances[i]) * kernel(offset.squaredNorm() / (radius * radius));
+      total += weight;
+      mean += weight * offset;
+      moments += weight * offset * offset.transpose();
+    }
+    Local_curve axis;
+    axis.point = center;
+    if (!(total > 0.))
+      return axis;
+    mean /= total;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments / total - mean * mean.transpose());
+    axis.point = center + mean;
+    axis.tangent = solver.eigenvectors().col(2);
+    return axis;
+  }
+
+  // improves `curve` on the points around `center`
+  void refine(Local_curve& curve, const Vector& center, const Local_fit_options& options)
+  {
+    collect(center, options.radius);
+    for (int k = 0; k < options.iterations; ++k)
+    {
+      // the outliers leave gradually, or the first guess would decide alone
+      const double scale = (std::max)(options.scale, 1.2 * std::pow(0.6, k));
+      curve.move_along_to(center);
+      if (step(curve, options, scale) < 1e-4 && scale == options.scale)
+        break;
+    }
+    curve.move_along_to(center);
+  }
+
+  // improves a `curve` that is nearly right already: outliers are none of its business from the start
+  void refine_from(Local_curve& curve, const Vector& center, const Local_fit_options& options)
+  {
+    collect(center, options.radius);
+    for (int k = 0; k < options.iterations; ++k)
+    {
+      curve.move_along_to(center);
+      if (step(curve, options, options.scale) < 1e-4)
+        break;
+    }
+  }
+
+  // refines `curve` with balls of several radii and keeps the largest one that fits as well as any: a large ball
+  // averages more noise away, a small one follows small features. Returns the residual close to the point.
+  template <class Refine>
+  double refine_with_best_radius(Local_curve& curve, const Local_fit_options& options, const Refine& refine_one)
+  {
+    static constexpr double factors[] = {1.6, 1., 0.6, 0.4};
+    static constexpr double good_enough = 0.02; // whatever the others are
+    Local_curve fits[4];
+    double residuals[4], best = 1.;
+    for (int k = 0; k < 4 && (k == 0 || residuals[0] > good_enough); ++k)
+    {
+      fits[k] = curve;
+      Local_fit_options scaled = options;
+      scaled.radius *= factors[k];
+      refine_one(fits[k], scaled);
+      // too few points agree with any curve
+      residuals[k] = m_ball.size() < 4 ? 1. : residual(fits[k], fits[k].point, 2.);
+      best = (std::min)(best, residuals[k]);
+    }
+    int chosen = 0;
+    while (residuals[chosen] > 1.35 * best + good_enough)
+      ++chosen;
+    curve = fits[chosen];
+    return residuals[chosen];
+  }
+
+  // root mean square, cut off at 1, of the residuals of the points within `radius` of `center`
+  double residual(const Local_curve& curve, const Vector& center, double radius)
+  {
+    query(center, radius);
+    double sum = 0., total = 0.;
+    for (std::size_t i : m_ball)
+    {
+      const double weight = field_weight(m_band.distances[i]) / (0.01 + std::pow(m_band.deviation(i, 0.), 2));
+      const double e = m_band.distances[i] - curve.distance(m_band.points[i]);
+      sum += weight * (std::min)(1., e * e);
+      total += weight;
+    }
+    return total > 0. ? std::sqrt(sum / total) : 1.;
+  }
+
+private:
+  static double kernel(double squared_ratio)
+  {
+    return squared_ratio < 1. ? (1. - squared_ratio) * (1. - squared_ratio) : 0.;
+  }
+
+  // one ball is often asked for several times
+  void query(const Vector& center, double radius)
+  {
+    if (center == m_center && radius == m_radius)
+      return;
+    m_center = center;
+    m_radius = radius;
+    m_band.search.query(center, radius, m_ball);
+  }
+
+  void collect(const Vector& center, double radius)
+  {
+    query(center, radius);
+    m_samples.clear();
+    for (std::size_t i : m_ball)
+      m_samples.push_back(
+        {m_band.points[i], m_band.distances[i], m_band.deviation(i, 0.),
+         field_weight(m_band.distances[i]) * kernel((m_band.points[i] - center).squaredNorm() / (radius * radius))});
+  }
+
+  // the field errs more the farther from the feature
+  static double field_weight(double d) { return 1. / (1. + d * d / 2.); }
+
+  double step(Local_curve& curve, const Local_fit_options& options, double scale) const
+  {
+    typedef Eigen::Matrix<double, 6, 6> Matrix6;
+    typedef Eigen::Matrix<double, 6, 1> Vector6;
+    const Vector normal = curve.tangent.unitOrthogonal();
+    const Vector binormal = curve.tangent.cross(normal);
+    Matrix6 hessian;
+    Vector6 gradient;
+    const double bend_x = curve.bend.dot(normal), bend_y = curve.bend.dot(binormal);
+    Section_sums sums;
+    for (const Sample& sample : m_samples)
+    {
+      const Vector offset = sample.point - curve.point;
+      const double s = offset.dot(curve.tangent), square = s * s;
+      const double x = offset.dot(normal) - 0.5 * square * bend_x;
+      const double y = offset.dot(binormal) - 0.5 * square * bend_y;
+      const double distance = std::sqrt(x * x + y * y);
+      if (distance < 1e-9)
+        continue;
+      const double e = sample.distance - distance;
+      const double own_scale = (std::max)(scale, 2. * sample.deviation);
+      const double ratio = e / own_scale, worth = scale / own_scale, spread = 1. + ratio * ratio;
+      const double weight = sample.weight * worth * worth / (spread * spread);
+      // on the curve itself, the direction to it is undefined
+      const double per_distance = 1. / (std::max)(distance, 0.05);
+      const double powers[5] = {1., s, square, square * s, square * square};
+      sums.add(powers, x * per_distance, y * per_distance, weight, e);
+    }
+    sums.assemble(hessian, gradient);
+    // a prior on the curvature, and a little damping for the rest
+    const double prior = scale * scale / (options.bend_deviation * options.bend_deviation);
+    hessian(4, 4) += prior;
+    hessian(5, 5) += prior;
+    gradient(4) -= prior * bend_x;
+    gradient(5) -= prior * bend_y;
+    // the same for both normals, since their directions are arbitrary
+    for (int k = 0; k < 6; k += 2)
+    {
+      const double damping = 1e-3 + 0.5e-3 * (hessian(k, k) + hessian(k + 1, k + 1));
+      hessian(k, k) += damping;
+      hessian(k + 1, k + 1) += damping;
+    }
+    const Vector6 delta = hessian.ldlt().solve(gradient);
+    const double length = delta.head<2>().norm();
+    const double shrink = length > 1. ? 1. / length : 1.;
+    curve.point += shrink * (delta(0) * normal + delta(1) * binormal);
+    curve.bend += shrink * (delta(4) * normal + delta(5) * binormal);
+    curve.tangent = (curve.tangent + shrink * (delta(2) * normal + delta(3) * binormal)).normalized();
+    curve.bend -= curve.bend.dot(curve.tangent) * curve.tangent;
+    return length + delta.tail<4>().norm();
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_LOCAL_CURVE_FIT_H

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CONTRACT_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CONTRACT_H
+
+#include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
+#include <CGAL/Wireframe_extraction/internal/field/Skeleton_data.h>
+#include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+
+#include <functional>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// `proceed(share)` returns whether to go on; this returns whether it did
+bool contract(const Field_band& band, double radius, const std::function<bool(double)>& proceed, Contraction& result);
+
+// the same for a skeleton, which is as it was before if that was cancelled
+bool contract(Skeleton_data& skeleton, const Extraction_options& options, const std::function<bool(double)>& proceed);
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#ifdef CGAL_WIREFRAME_EXTRACTION_HEADER_ONLY
+#include <CGAL/Wireframe_extraction/internal/field/contract_impl.h>
+#endif
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CONTRACT_H

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CONTRACT_IMPL_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CONTRACT_IMPL_H
+
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
+#include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
+#include <CGAL/Wireframe_extraction/internal/base/median.h>
+#include <CGAL/Wireframe_extraction/internal/field/Local_curve_fit.h>
+#include <CGAL/Wireframe_extraction/internal/field/contract.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+CGAL_WIREFRAME_EXTRACTION_INLINE bool contract(const Field_band& band, double radius,
+                                               const std::function<bool(double)>& proceed, Contraction& result)
+{
+  result.curves.resize(band.skeleton_size);
+  result.residuals.resize(band.skeleton_size);
+  std::vector<std::size_t> order = band.search.spatial_order();
+  order.erase(std::remove_if(order.begin(), order.end(), [&](std::size_t i) { return i >= band.skeleton_size; }),
+              order.end());
+  const bool is_complete = for_each_piece_or_cancel(
+    order.size(),
+    [&](std::size_t begin, std::size_t end) {
+      Local_curve_fit fit(band);
+      Local_fit_options options;
+      options.radius = radius;
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        const std::size_t i = order[k];
+        result.residuals[i] = fit.refine_with_best_radius(result.curves[i], options,
+                                                          [&](Local_curve& curve, const Local_fit_options& scaled) {
+                                                            curve = fit.principal_axis(band.points[i], scaled.radius);
+                                                            fit.refine(curve, band.points[i], scaled);
+                                                            // the sign of an eigenvector is arbitrary: the first point of the ball that is clearly on one side decides
+                                                            double side = 0.;
+                                                            std::size_t first = band.size();
+                                                            for (std::size_t j : fit.ball())
+                                                            {
+                                                              const double s = curve.parameter(band.points[j]);
+                                                              if (std::abs(s) > 0.5 && j < first)
+                                                              {
+                                                                first = j;
+                                                                side = s;
+                                                              }
+                                                            }
+                                                            if (side < 0.)
+                                                              curve.tangent = -curve.tangent;
+                                                          });
+      }
+    },
+    proceed);
+  result.noise = median(result.residuals);
+  return is_complete;
+}
+
+CGAL_WIREFRAME_EXTRACTION_INLINE bool contract(Skeleton_data& skeleton, const Extraction_options& options,
+                                               const std::function<bool(double)>& proceed)
+{
+  if (skeleton.support_size() == 0)
+    return true;
+  auto contraction = std::make_shared<Contraction>();
+  if (!contract(*skeleton.band, options.fitting_radius, proceed, *contraction))
+    return false;
+  contraction->noise = options.noise_or(contraction->noise);
+  skeleton.contraction = contraction;
+  if (contraction->is_precise())
+    skeleton.surroundings = std::make_shared<Field_band>();
+  return true;
+}
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CONTRACT_IMPL_H

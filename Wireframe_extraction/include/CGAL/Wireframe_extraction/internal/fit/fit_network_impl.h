@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_FIT_NETWORK_IMPL_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_FIT_NETWORK_IMPL_H
+
+#include <CGAL/Wireframe_extraction/internal/fit/Spline_network_fit.h>
+#include <CGAL/Wireframe_extraction/internal/fit/fit_network.h>
+
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+CGAL_WIREFRAME_EXTRACTION_INLINE bool fit_network(const Skeleton_data& skeleton, const Extraction_options& options,
+                                                  std::vector<Vector>& vertices, std::vector<Fitted_curve>& curves,
+                                                  const std::function<bool(double)>& proceed)
+{
+  Spline_network_fit fit(*skeleton.band, skeleton.noise(options), options, vertices, curves);
+  const bool is_complete = fit.run(proceed);
+  vertices = fit.vertices();
+  curves = fit.curves();
+  return is_complete;
+}
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_FIT_NETWORK_IMPL_H

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CLUSTERS_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CLUSTERS_H
+
+#include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
+#include <CGAL/Wireframe_extraction/internal/field/Skeleton_data.h>
+#include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// Connected components of the points of the skeleton that are in no corner.
+std::vector<std::vector<std::size_t>> clusters(const Skeleton_data& skeleton, const std::vector<char>& is_in_corner,
+                                               const Extraction_options& options);
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#ifdef CGAL_WIREFRAME_EXTRACTION_HEADER_ONLY
+#include <CGAL/Wireframe_extraction/internal/network/clusters_impl.h>
+#endif
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CLUSTERS_H

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SEGMENT_CURVES_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SEGMENT_CURVES_H
+
+#include <CGAL/Wireframe_extraction/Wireframe_corner.h>
+#include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
+#include <CGAL/Wireframe_extraction/internal/network/clusters.h>
+#include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+template <class GeomTraits>
+std::vector<std::vector<std::size_t>> segment_curves(const Wireframe_skeleton<GeomTraits>& skeleton,
+                                                     const std::vector<Wireframe_corner<GeomTraits>>& corners,
+                                                     const Extraction_options& options)
+{
+  std::vector<char> is_in_corner(skeleton.size(), 0);
+  for (const Wireframe_corner<GeomTraits>& corner : corners)
+    for (std::size_t i : corner.members)
+    {
+      CGAL_precondition(i < skeleton.size());
+      is_in_corner[i] = 1;
+    }
+  return clusters(skeleton.data(), is_in_corner, options);
+}
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SEGMENT_CURVES_H
