@@ -14,10 +14,9 @@
 
 #include <CGAL/Wireframe_extraction/internal/base/farthest_point_sampling.h>
 #include <CGAL/Wireframe_extraction/internal/network/corner_groups.h>
+#include <CGAL/Wireframe_extraction/internal/network/second_variance_ratio.h>
 
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Union_find.h>
-#include <CGAL/linear_least_squares_fitting_3.h>
 
 #include <Eigen/Geometry>
 
@@ -31,26 +30,6 @@
 namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
-
-// The second explained variance ratio of the points of a ball (eq. 1). CGAL's fits return 1 - l2 / l3 for a line and
-// 1 - l1 / l2 for a plane, where l1 <= l2 <= l3 are the variances along the principal axes.
-inline double second_variance_ratio(const std::vector<Vector>& points, const std::vector<std::size_t>& ball)
-{
-  typedef CGAL::Simple_cartesian<double> K;
-  if (ball.size() < 3)
-    return 0.;
-  std::vector<K::Point_3> positions;
-  for (std::size_t i : ball)
-    positions.emplace_back(points[i].x(), points[i].y(), points[i].z());
-  const CGAL::Dimension_tag<0> of_points;
-  const auto first = positions.begin(), beyond = positions.end();
-  K::Line_3 line;
-  K::Plane_3 plane;
-  const double l2_by_l3 = 1. - CGAL::linear_least_squares_fitting_3(first, beyond, line, of_points);
-  const double l1_by_l2 = 1. - CGAL::linear_least_squares_fitting_3(first, beyond, plane, of_points);
-  const double ratio = l2_by_l3 / (1. + l2_by_l3 + l1_by_l2 * l2_by_l3);
-  return std::isfinite(ratio) ? ratio : 0.;
-}
 
 // Groups of skeleton points, each closer than `reach` to another one of its group.
 inline std::vector<std::vector<std::size_t>> connected_groups(const Field_band& band,
