@@ -11,3 +11,4 @@
 
 #include <CGAL/Wireframe_extraction/internal/fit/Cubic_spline_impl.h>
 #include <CGAL/Wireframe_extraction/internal/fit/fit_network_impl.h>
+#include <CGAL/Wireframe_extraction/internal/fit/graph_paths_impl.h>

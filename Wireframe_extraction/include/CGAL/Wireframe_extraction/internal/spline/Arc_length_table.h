@@ -12,12 +12,9 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SPLINE_ARC_LENGTH_TABLE_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SPLINE_ARC_LENGTH_TABLE_H
 
+#include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
 #include <CGAL/Wireframe_extraction/internal/spline/spline_basis.h>
 
-#include <boost/math/quadrature/gauss.hpp>
-
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -28,8 +25,6 @@ namespace internal {
 // The arc length over a range of parameters, as a table of intervals on which one Gauss rule is accurate.
 class Arc_length_table
 {
-  typedef boost::math::quadrature::gauss<double, 15> Gauss;
-
   struct Interval
   {
     double begin, end; // parameters
@@ -39,93 +34,25 @@ class Arc_length_table
   };
 
 public:
-  Arc_length_table(const Spline_data& spline, double u0, double u1) : m_spline(spline), m_begin(u0), m_end(u1)
-  {
-    if (!(u0 < u1))
-      return;
-
-    std::vector<Interval> pieces;
-    double estimate = 0.;
-    const std::size_t last_span = find_span(spline.knots, spline.degree, u1);
-    for (std::size_t s = find_span(spline.knots, spline.degree, u0); s <= last_span; ++s)
-    {
-      const double begin = (std::max)(u0, spline.knots[s]);
-      const double end = (std::min)(u1, spline.knots[s + 1]);
-      if (!(begin < end))
-        continue;
-      pieces.push_back(Interval{begin, end, s, 0., integrate(s, begin, end)});
-      estimate += pieces.back().length;
-    }
-    for (const Interval& piece : pieces)
-      subdivide(piece, relative_tolerance * estimate, maximum_depth);
-  }
+  Arc_length_table(const Spline_data& spline, double u0, double u1);
 
   double length() const { return m_length; }
 
   // Returns the parameter at which the length from the start of the table is s.
-  double parameter(double s) const
-  {
-    if (!(s > 0.) || m_intervals.empty())
-      return m_begin;
-    if (s >= m_length)
-      return m_end;
-    const auto after =
-      std::upper_bound(m_intervals.begin(), m_intervals.end(), s,
-                       [](double value, const Interval& interval) { return value < interval.length_before; });
-    return parameter_in(*(after - 1), s - (after - 1)->length_before);
-  }
+  double parameter(double s) const;
 
 private:
   static constexpr double relative_tolerance = 1e-12;
   static constexpr int maximum_depth = 40;
 
-  double integrate(std::size_t span, double begin, double end) const
-  {
-    return Gauss::integrate([&](double u) { return speed_on_span(m_spline, span, u); }, begin, end);
-  }
+  double integrate(std::size_t span, double begin, double end) const;
 
-  void subdivide(const Interval& interval, double tolerance, int depth)
-  {
-    const double middle = interval.begin + (interval.end - interval.begin) / 2.;
-    const double left = integrate(interval.span, interval.begin, middle);
-    const double right = integrate(interval.span, middle, interval.end);
-    if (depth == 0 || !(std::abs(left + right - interval.length) > tolerance))
-    {
-      // both halves are kept: they are at hand, and more accurate than the whole
-      append(Interval{interval.begin, middle, interval.span, 0., left});
-      append(Interval{middle, interval.end, interval.span, 0., right});
-      return;
-    }
-    subdivide(Interval{interval.begin, middle, interval.span, 0., left}, tolerance, depth - 1);
-    subdivide(Interval{middle, interval.end, interval.span, 0., right}, tolerance, depth - 1);
-  }
+  void subdivide(const Interval& interval, double tolerance, int depth);
 
-  void append(Interval interval)
-  {
-    interval.length_before = m_length;
-    m_length += interval.length;
-    m_intervals.push_back(interval);
-  }
+  void append(Interval interval);
 
   // Newton's method from linear interpolation, with bisection wherever it would leave the bracket or creep.
-  double parameter_in(const Interval& interval, double s) const
-  {
-    double low = interval.begin, high = interval.end;
-    double u = low + (high - low) * (std::min)(1., s / interval.length);
-    double length = integrate(interval.span, low, u);
-    for (int i = 1; i < 100 && std::abs(length - s) > 1e-14 * m_length; ++i)
-    {
-      (length < s ? low : high) = u;
-      double next = u + (s - length) / speed_on_span(m_spline, interval.span, u);
-      if (!(next > low && next < high) || i % 4 == 0)
-        next = low + (high - low) / 2.;
-      if (!(next > low && next < high))
-        break;
-      length += integrate(interval.span, u, next);
-      u = next;
-    }
-    return u;
-  }
+  double parameter_in(const Interval& interval, double s) const;
 
   const Spline_data& m_spline;
   double m_begin, m_end;
@@ -136,5 +63,9 @@ private:
 } // namespace internal
 } // namespace Wireframe_extraction
 } // namespace CGAL
+
+#ifdef CGAL_WIREFRAME_EXTRACTION_HEADER_ONLY
+#include <CGAL/Wireframe_extraction/internal/spline/Arc_length_table_impl.h>
+#endif
 
 #endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SPLINE_ARC_LENGTH_TABLE_H
