@@ -9,6 +9,5 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#include <CGAL/Wireframe_extraction/internal/base/Ball_search_impl.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud_impl.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/input_checks_impl.h>

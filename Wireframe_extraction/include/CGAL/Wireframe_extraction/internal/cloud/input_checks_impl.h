@@ -13,9 +13,8 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_INPUT_CHECKS_IMPL_H
 
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
+#include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/input_checks.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +73,7 @@ CGAL_WIREFRAME_EXTRACTION_INLINE int dimension(const std::vector<Vector>& positi
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (const Vector& offset : offsets)
     covariance += (offset - mean) * (offset - mean).transpose() / double(offsets.size());
-  const Vector variances = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues();
+  const Vector variances = principal_axes(covariance).values;
   return int(variances[0] > 1e-14) + int(variances[1] > 1e-14) + int(variances[2] > 1e-14);
 }
 

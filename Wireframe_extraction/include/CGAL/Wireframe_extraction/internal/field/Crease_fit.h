@@ -11,11 +11,11 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CREASE_FIT_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CREASE_FIT_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Symmetric_factorization.h>
 #include <CGAL/Wireframe_extraction/internal/field/Local_curve.h>
 #include <CGAL/Wireframe_extraction/internal/field/Section_sums.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -112,7 +112,7 @@ public:
     {
       Parameters gradient;
       const double residual = accumulate(q, options, scale, hessian, gradient);
-      const Parameters delta = hessian.ldlt().solve(gradient);
+      const Parameters delta = Symmetric_factorization(hessian).solved(gradient);
       const double length = delta.head<2>().norm() + delta.segment<2>(6).norm();
       q += length > 0.5 ? Parameters(0.5 / length * delta) : delta;
       if (length < 1e-4 && scale == least_scale)
@@ -456,14 +456,18 @@ private:
     crease.residual = total > 0. ? std::sqrt(squares / total) : 1.;
     // the covariance of the apex, and of the strips' directions
     static constexpr int wanted[4] = {0, 1, 6, 7};
-    Eigen::Matrix<double, size, 4> units = Eigen::Matrix<double, size, 4>::Zero();
+    const Symmetric_factorization factorization(hessian);
+    Eigen::Matrix<double, size, 4> covariance = Eigen::Matrix<double, size, 4>::Zero();
     for (int k = 0; k < 4; ++k)
-      units(wanted[k], k) = 1.;
-    const Eigen::Matrix<double, size, 4> covariance = hessian.ldlt().solve(units);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance.topLeftCorner<2, 2>(),
-                                                                Eigen::EigenvaluesOnly);
+    {
+      covariance(wanted[k], k) = 1.;
+      factorization.solve(covariance.col(k).data());
+    }
+    // the larger eigenvalue of the apex's part
+    const double middle = 0.5 * (covariance(0, 0) + covariance(1, 1));
+    const double largest = middle + std::hypot(0.5 * (covariance(0, 0) - covariance(1, 1)), covariance(0, 1));
     const double inflation = (std::max)(1., crease.residual / options.surface_noise);
-    crease.deviation = inflation * std::sqrt((std::max)(0., solver.eigenvalues()[1]));
+    crease.deviation = inflation * std::sqrt((std::max)(0., largest));
     crease.fold_deviation =
       inflation * std::sqrt((std::max)(0., covariance(6, 2) + covariance(7, 3) - 2. * covariance(6, 3)));
   }

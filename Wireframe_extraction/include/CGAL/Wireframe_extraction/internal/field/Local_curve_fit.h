@@ -12,12 +12,12 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_LOCAL_CURVE_FIT_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_LOCAL_CURVE_FIT_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Symmetric_factorization.h>
+#include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
 #include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
 #include <CGAL/Wireframe_extraction/internal/field/Local_curve.h>
 #include <CGAL/Wireframe_extraction/internal/field/Section_sums.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -88,9 +88,8 @@ public:
     if (!(total > 0.))
       return axis;
     mean /= total;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments / total - mean * mean.transpose());
     axis.point = center + mean;
-    axis.tangent = solver.eigenvectors().col(2);
+    axis.tangent = principal_axes(moments / total - mean * mean.transpose()).axes[2];
     return axis;
   }
 
@@ -233,7 +232,7 @@ private:
       hessian(k, k) += damping;
       hessian(k + 1, k + 1) += damping;
     }
-    const Vector6 delta = hessian.ldlt().solve(gradient);
+    const Vector6 delta = Symmetric_factorization(hessian).solved(gradient);
     const double length = delta.head<2>().norm();
     const double shrink = length > 1. ? 1. / length : 1.;
     curve.point += shrink * (delta(0) * normal + delta(1) * binormal);

@@ -12,12 +12,13 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_SPLINE_RESIDUALS_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_SPLINE_RESIDUALS_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Symmetric_factorization.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
 #include <CGAL/Wireframe_extraction/internal/fit/Cauchy_factor.h>
 #include <CGAL/Wireframe_extraction/internal/fit/ceres_support.h>
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -157,20 +158,21 @@ private:
     Matrix matrix;
     Column column;
     sums.assemble(matrix, column);
-    const Eigen::LDLT<Matrix> cholesky(matrix);
-    const Column pivots = cholesky.vectorD();
-    const double least = 1e-14 * pivots.maxCoeff();
-    Matrix upper = cholesky.transpositionsP() * Matrix::Identity();
-    upper = cholesky.matrixU() * upper;
-    Column reduced = cholesky.transpositionsP() * column;
-    cholesky.matrixL().solveInPlace(reduced);
+    const Symmetric_factorization factorization(matrix);
+    double largest = factorization.pivot(0);
+    for (int i = 1; i < size; ++i)
+      largest = (std::max)(largest, factorization.pivot(i));
+    const double least = 1e-14 * largest;
+    Column reduced = column;
+    factorization.solve_lower(reduced.data());
     double square = 0.;
     for (int i = 0; i < size; ++i)
     {
       // what the points say nothing of has no derivative either
-      const double root = pivots[i] > least ? std::sqrt(pivots[i]) : 0.;
+      const double root = factorization.pivot(i) > least ? std::sqrt(factorization.pivot(i)) : 0.;
       m_residuals[i] = root > 0. ? reduced[i] / root : 0.;
-      m_jacobian.row(i) = root * upper.row(i);
+      for (int k = 0; k < size; ++k) // root times the row of L^T P
+        m_jacobian(i, factorization.row_of_matrix(k)) = root * factorization.lower(k, i);
       square += m_residuals[i] * m_residuals[i];
     }
     return square;

@@ -12,9 +12,10 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_POSITION_BELIEF_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_POSITION_BELIEF_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Symmetric_factorization.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <limits>
@@ -52,7 +53,7 @@ struct Position_belief
     return product;
   }
 
-  Vector mean() const { return information.ldlt().solve(weighted); }
+  Vector mean() const { return Symmetric_factorization(information).solved(weighted); }
 
   // sum of the squared, normalised deviations of the single beliefs from their common mean
   double disagreement() const { return (std::max)(0., constant - weighted.dot(mean())); }

@@ -12,11 +12,10 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SUBDIVIDED_NETWORK_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SUBDIVIDED_NETWORK_H
 
+#include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_network.h>
 #include <CGAL/Wireframe_extraction/internal/network/corner_groups.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/dijkstra_shortest_paths.hpp>
@@ -196,7 +195,7 @@ private:
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
     for (std::size_t i : cluster)
       covariance += (m_band.points[i] - mean) * (m_band.points[i] - mean).transpose();
-    const Vector axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().col(2);
+    const Vector axis = principal_axes(covariance).axes[2];
     std::size_t low = 0, high = 0;
     for (std::size_t k = 1; k < cluster.size(); ++k)
     {

@@ -11,13 +11,14 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SURFACE_EVIDENCE_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SURFACE_EVIDENCE_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Symmetric_factorization.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
+#include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
 #include <CGAL/Wireframe_extraction/internal/field/polyline_feet.h>
 
 #include <CGAL/number_utils.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -138,8 +139,7 @@ private:
       offset -= offset.dot(direction) * direction;
       moments += offset * offset.transpose();
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments);
-    const Vector across = solver.eigenvectors().col(2);
+    const Vector across = principal_axes(moments).axes[2];
     window.normal = direction.cross(across).normalized();
     Matrix normal_matrix = Matrix::Zero();
     Row right = Row::Zero();
@@ -157,8 +157,8 @@ private:
     static constexpr double deviations[size] = {0., 0., 0., 0., 0.06, 0.06};
     for (int k = 0; k < size; ++k)
       normal_matrix(k, k) += 1e-6 + (deviations[k] > 0. ? noise * noise / (deviations[k] * deviations[k]) : 0.);
-    const Eigen::LDLT<Matrix> solved(normal_matrix);
-    const Row solution = solved.solve(right);
+    const Symmetric_factorization factorization(normal_matrix);
+    const Row solution = factorization.solved(right);
     double squares = 0.;
     for (const Sample& sample : window.samples)
     {
@@ -167,7 +167,8 @@ private:
     }
     window.residual = std::sqrt(squares / double(window.samples.size() - size));
     window.slope = solution[slope];
-    window.deviation = (std::max)(noise, window.residual) * std::sqrt(solved.solve(Row::Unit(slope))[slope]);
+    window.deviation =
+      (std::max)(noise, window.residual) * std::sqrt(factorization.solved(Row(Row::Unit(slope)))[slope]);
     window.is_known = true;
     return true;
   }

@@ -16,7 +16,7 @@
 #include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
 #include <CGAL/Wireframe_extraction/internal/field/polyline_feet.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -141,7 +141,9 @@ private:
       }
       // Where the points lie in one plane through the curve, they say nothing of the direction across it.
       const double damping = 0.02 * normal_matrix.trace() + 1e-6;
-      shift += (normal_matrix + damping * Eigen::Matrix2d::Identity()).ldlt().solve(right_side);
+      const double a = normal_matrix(0, 0) + damping, b = normal_matrix(0, 1), c = normal_matrix(1, 1) + damping;
+      shift +=
+        Eigen::Vector2d(c * right_side[0] - b * right_side[1], a * right_side[1] - b * right_side[0]) / (a * c - b * b);
       if (shift.norm() > 1.)
         shift /= shift.norm();
     }

@@ -12,10 +12,12 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_PRIMITIVE_FIT_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_PRIMITIVE_FIT_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Symmetric_factorization.h>
+#include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
 #include <CGAL/Wireframe_extraction/internal/types/Curve_stations.h>
 #include <CGAL/Wireframe_extraction/internal/types/Primitive_curve.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -133,7 +135,11 @@ public:
     Covariance matrix;
     Parameters gradient;
     linearize(stations, 1, matrix, gradient);
-    return matrix.ldlt().solve(Covariance(Covariance::Identity(n, n)));
+    const Symmetric_factorization factorization(matrix);
+    Covariance result = Covariance::Identity(n, n);
+    for (int i = 0; i < n; ++i)
+      factorization.solve(result.col(i).data());
+    return result;
   }
 
 private:
@@ -152,17 +158,16 @@ private:
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
     for (std::size_t i = 0; i < stations.size(); ++i)
       moments += (stations[i].position - mean) * (stations[i].position - mean).transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments);
-    const Eigen::Matrix3d axes = solver.eigenvectors();
+    const Principal_axes principal = principal_axes(moments);
     curve.center = mean;
     if (curve.kind == Primitive_kind::LINE)
     {
-      curve.axis = axes.col(2);
+      curve.axis = principal.axes[2];
       return true;
     }
-    curve.axis = axes.col(0);
-    curve.major = axes.col(2);
-    const double scale = std::sqrt(solver.eigenvalues()[2] / double(stations.size()));
+    curve.axis = principal.axes[0];
+    curve.major = principal.axes[2];
+    const double scale = std::sqrt(principal.values[2] / double(stations.size()));
     if (!(scale > 1e-9))
       return false;
     std::vector<Eigen::Vector2d> plane;
@@ -185,7 +190,7 @@ private:
       matrix += row * row.transpose();
       right_side += p.squaredNorm() * row;
     }
-    const Vector x = matrix.ldlt().solve(right_side);
+    const Vector x = Symmetric_factorization(matrix).solved(right_side);
     const Eigen::Vector2d center = 0.5 * x.head<2>();
     const double square = x[2] + center.squaredNorm();
     if (!(square > 0.) || !std::isfinite(square))
@@ -206,19 +211,23 @@ private:
       s2 += quadratic * linear.transpose();
       s3 += linear * linear.transpose();
     }
-    const Eigen::Matrix3d t = -s3.ldlt().solve(s2.transpose());
+    Eigen::Matrix3d t = -s2.transpose();
+    const Symmetric_factorization factorization(s3);
+    for (int i = 0; i < 3; ++i)
+      factorization.solve(t.col(i).data());
     // The form q of an ellipse has 4 a c - b^2 > 0. Among those with the value 1, the best one belongs to the only
     // positive eigenvalue of this form relative to the squared algebraic residuals, which exact points make singular.
     Eigen::Matrix3d m = s1 + s2 * t, constraint;
     m += 1e-12 * s1.trace() * Eigen::Matrix3d::Identity();
     constraint << 0., 0., 2., 0., -1., 0., 2., 0., 0.;
-    const Eigen::LLT<Eigen::Matrix3d> root(m);
-    if (root.info() != Eigen::Success || !t.allFinite())
+    const Principal_axes of_residuals = principal_axes(m);
+    if (!t.allFinite() || !(of_residuals.values[0] > 0.))
       return false;
-    const Eigen::Matrix3d lower = root.matrixL();
-    const Eigen::Matrix3d inverse = lower.inverse();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inverse * constraint * inverse.transpose());
-    const Vector quadratic = (inverse.transpose() * solver.eigenvectors().col(2)).normalized();
+    Eigen::Matrix3d inverse; // of a square root of m
+    for (int i = 0; i < 3; ++i)
+      inverse.row(i) = of_residuals.axes[i].transpose() / std::sqrt(of_residuals.values[i]);
+    const Principal_axes principal = principal_axes(inverse * constraint * inverse.transpose());
+    const Vector quadratic = (inverse.transpose() * principal.axes[2]).normalized();
     return set_ellipse(quadratic, t * quadratic, scale);
   }
 
@@ -281,7 +290,7 @@ private:
       Covariance damped = matrix;
       for (int i = 0; i < n; ++i)
         damped(i, i) += damping * damped(i, i) + 1e-12 * matrix.trace();
-      const Parameters step = -damped.ldlt().solve(gradient);
+      const Parameters step = -Symmetric_factorization(damped).solved(gradient);
       const Primitive_curve candidate = curve.moved(step.data());
       const Misfit next = candidate.is_finite() ? misfit_of(candidate, stations, stride) : Misfit();
       if (candidate.is_finite() && next.robust() <= misfit.robust())

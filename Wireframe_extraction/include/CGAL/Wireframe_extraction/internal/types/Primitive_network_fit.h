@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_PRIMITIVE_NETWORK_FIT_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_PRIMITIVE_NETWORK_FIT_H
 
+#include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
 #include <CGAL/Wireframe_extraction/internal/fit/ceres_support.h>
 #include <CGAL/Wireframe_extraction/internal/types/Curve_regularities.h>
 #include <CGAL/Wireframe_extraction/internal/types/Primitive_fit.h>
@@ -210,9 +211,11 @@ private:
   static Eigen::Matrix3d square_root(const Eigen::Matrix3d& matrix)
   {
     // the eigenvalue along the tangent is zero, but for rounding
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix);
-    return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.).cwiseSqrt().asDiagonal()
-      * solver.eigenvectors().transpose();
+    const Principal_axes principal = principal_axes(matrix);
+    Eigen::Matrix3d root = Eigen::Matrix3d::Zero();
+    for (int k = 0; k < 3; ++k)
+      root += std::sqrt((std::max)(0., principal.values[k])) * principal.axes[k] * principal.axes[k].transpose();
+    return root;
   }
 
   void solve(const std::vector<Vector>& anchors, const std::vector<Constraint>& constraints,

@@ -1,0 +1,14 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#include <CGAL/Wireframe_extraction/internal/base/Ball_search_impl.h>
+#include <CGAL/Wireframe_extraction/internal/base/Symmetric_factorization_impl.h>
+#include <CGAL/Wireframe_extraction/internal/base/principal_axes_impl.h>
