@@ -1,4 +1,4 @@
-# What `cpack` packs: of the components, Development and, if the tool is built, Runtime. `cpack -G DEB` makes a Debian
+# What `cpack` packs: of the components, Development and, where they are built, Core and Runtime. `cpack -G DEB` makes a Debian
 # package of each of them, `cpack -G TGZ` archives of the same.
 
 set(CPACK_PACKAGE_NAME wireframe-extraction)
@@ -20,6 +20,9 @@ set(CPACK_SOURCE_IGNORE_FILES
   "^${source_pattern}/\\.git(/|$)" "^${source_pattern}/build[^/]*/" "^${source_pattern}/.*/__pycache__/" "~$")
 
 set(CPACK_COMPONENTS_ALL Development)
+if(TARGET Wireframe_extraction_Core)
+  list(APPEND CPACK_COMPONENTS_ALL Core)
+endif()
 if(TARGET extract_wireframe)
   list(APPEND CPACK_COMPONENTS_ALL Runtime)
 endif()
@@ -41,6 +44,16 @@ These are the headers and the CMake package of a header-only library in the
 conventions of CGAL. From a point cloud of a man-made shape, in which every
 point carries an estimate of its distance to the nearest sharp curve, it
 extracts a graph of corners and parametric curves.")
+
+set(CPACK_DEBIAN_CORE_PACKAGE_NAME libwireframe-extraction-core-dev)
+set(CPACK_DEBIAN_CORE_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_CORE_PACKAGE_DEPENDS "libwireframe-extraction-dev (= ${PROJECT_VERSION})")
+if(TARGET CGAL::TBB_support)
+  string(APPEND CPACK_DEBIAN_CORE_PACKAGE_DEPENDS ", libtbb-dev")
+endif()
+set(CPACK_COMPONENT_CORE_DESCRIPTION "\
+This is the part of the library that needs to be compiled once only, as a
+static library. Programs that link it compile in seconds instead of minutes.")
 
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME extract-wireframe)
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "\

@@ -20,13 +20,44 @@ string(SUBSTRING "${readme_code}" 0 ${position} readme_code)
 
 set(readme_source "${CMAKE_CURRENT_BINARY_DIR}/readme/test_wireframe_readme.cpp")
 file(CONFIGURE OUTPUT "${readme_source}" CONTENT "@readme_code@" @ONLY)
-add_executable(test_wireframe_readme "${readme_source}")
-target_link_libraries(test_wireframe_readme PRIVATE ${libraries})
+# The same source with the compiled core and header-only. The README calls the cloud `cloud.ply`; here that is a bundled one
+# whose field errs, so that every stage has something to do.
+set(ways header_only)
+if(TARGET CGAL::Wireframe_extraction_Core)
+  list(APPEND ways compiled)
+endif()
+foreach(way IN LISTS ways)
+  set(name test_wireframe_readme_${way})
+  add_executable(${name} "${readme_source}")
+  if(way STREQUAL "compiled")
+    target_link_libraries(${name} PRIVATE CGAL::Wireframe_extraction_Core)
+  else()
+    target_link_libraries(${name} PRIVATE CGAL::Wireframe_extraction)
+    if(TARGET CGAL::TBB_support)
+      target_link_libraries(${name} PRIVATE CGAL::TBB_support)
+    endif()
+  endif()
+  set(folder "${CMAKE_CURRENT_BINARY_DIR}/run/${name}")
+  file(MAKE_DIRECTORY "${folder}")
+  file(CREATE_LINK "${root}/examples/Wireframe_extraction/data/slotted_plate.ply" "${folder}/cloud.ply"
+    SYMBOLIC COPY_ON_ERROR)
+  add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY "${folder}")
+  set_tests_properties(${name} PROPERTIES TIMEOUT 300 FIXTURES_SETUP readme_${way})
+endforeach()
 
-# The README calls the cloud `cloud.ply`; here that is one of the bundled ones.
-set(folder "${CMAKE_CURRENT_BINARY_DIR}/run/test_wireframe_readme")
-file(MAKE_DIRECTORY "${folder}")
-file(CREATE_LINK "${root}/examples/Wireframe_extraction/data/box_with_hole.ply" "${folder}/cloud.ply"
-  SYMBOLIC COPY_ON_ERROR)
-add_test(NAME test_wireframe_readme COMMAND test_wireframe_readme WORKING_DIRECTORY "${folder}")
-set_tests_properties(test_wireframe_readme PROPERTIES TIMEOUT 300)
+# They write the same bits.
+if("compiled" IN_LIST ways)
+  set(folder "${CMAKE_CURRENT_BINARY_DIR}/run")
+  add_test(NAME same_bits_compiled_and_header_only
+    COMMAND "${CMAKE_COMMAND}" -E compare_files "${folder}/test_wireframe_readme_compiled/wireframe.json"
+      "${folder}/test_wireframe_readme_header_only/wireframe.json")
+  set_tests_properties(same_bits_compiled_and_header_only PROPERTIES FIXTURES_REQUIRED
+    "readme_compiled;readme_header_only")
+endif()
+
+# Header-only, every function is one that several source files may define.
+if(CMAKE_NM)
+  add_test(NAME header_only_functions_are_inline
+    COMMAND "${CMAKE_COMMAND}" "-Dnm=${CMAKE_NM}" "-Dobject=$<TARGET_OBJECTS:test_wireframe_readme_header_only>"
+      -P "${CMAKE_CURRENT_LIST_DIR}/check_inline_functions.cmake")
+endif()

@@ -23,6 +23,10 @@ foreach(component IN LISTS components)
   if(name STREQUAL "Runtime" AND NOT EXISTS "${component}/usr/bin/extract_wireframe")
     message(FATAL_ERROR "The tool is not built: build the target extract_wireframe first")
   endif()
+  file(GLOB core "${component}/usr/lib*/*Wireframe_extraction_Core*" "${component}/usr/lib*/*/*Wireframe_extraction_Core*")
+  if(name STREQUAL "Core" AND NOT core)
+    message(FATAL_ERROR "The core is not built: build the target Wireframe_extraction_Core first")
+  endif()
 
   set(folder "${component}/usr/share/doc/${package}")
   file(REMOVE_RECURSE "${component}/usr/share/doc/Wireframe_extraction") # the licence, which every Debian system has

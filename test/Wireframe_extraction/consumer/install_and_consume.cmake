@@ -22,6 +22,12 @@ function(run_or_fail)
   endif()
 endfunction()
 
+# The package of the headers has no core.
+set(has_core "${expects_core}")
+if(cpack)
+  set(has_core OFF)
+endif()
+
 set(configuration_arguments)
 if(configuration)
   set(configuration_arguments --config "${configuration}")
@@ -67,6 +73,10 @@ if(cpack)
 else()
   run_or_fail("${CMAKE_COMMAND}" --install "${binary_folder}" ${configuration_arguments}
     --component Development --prefix "${prefix}")
+  if(expects_core)
+    run_or_fail("${CMAKE_COMMAND}" --install "${binary_folder}" ${configuration_arguments}
+      --component Core --prefix "${prefix}")
+  endif()
 endif()
 run_or_fail("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}" -B "${consumer_folder}" -G "${generator}"
   "-DCMAKE_CXX_COMPILER=${compiler}"
@@ -84,6 +94,7 @@ run_or_fail("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}" -B "${consumer_fol
   "-DCMAKE_DISABLE_FIND_PACKAGE_ZLIB=${has_no_zlib}"
   "-Dexpects_zlib=${expects_zlib}"
   "-Dexpects_qt=${expects_qt}"
+  "-Dexpects_core=${has_core}"
   "-Dexpected_version=${version}")
 set(targets)
 if(cpack) # the other programs would tell nothing new
@@ -107,6 +118,11 @@ endif()
 run_or_fail(${programs})
 if(cpack)
   return()
+endif()
+if(has_core)
+  file(GLOB_RECURSE programs "${work_folder}/bin/core_consumer*")
+  list(FILTER programs INCLUDE REGEX "core_consumer(\\.exe)?$")
+  run_or_fail(${programs})
 endif()
 file(GLOB_RECURSE programs "${work_folder}/bin/input_consumer*")
 list(FILTER programs INCLUDE REGEX "input_consumer(\\.exe)?$")

@@ -1,0 +1,10 @@
+# Fails if the object file `object` defines a function of ours that a second one could not define, too.
+execute_process(COMMAND "${nm}" --demangle --defined-only "${object}" OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "[0-9a-f]+ T [^\n]*CGAL::(IO|Wireframe)[^\n]*" ours "${symbols}")
+if(ours)
+  string(JOIN "\n" text ${ours})
+  message(FATAL_ERROR "these functions are not inline; mark them with CGAL_WIREFRAME_EXTRACTION_INLINE:\n${text}")
+endif()
+if(NOT symbols MATCHES " W [^\n]*CGAL::Wireframe_extraction::internal::")
+  message(FATAL_ERROR "${object} has none of our functions")
+endif()
