@@ -11,6 +11,8 @@
 
 #include <Sample_solids/Sample_solids.h>
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -19,6 +21,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <random>
 #include <set>
 #include <string>
 #include <tuple>
@@ -156,6 +159,68 @@ void test_equal_distances()
   assert(is_about(skeleton_of(unknown, 1000).sampling_distance(), r, 0.1)); // from fewer points
 }
 
+// the largest amount of memory that was in use so far
+double peak_in_megabytes()
+{
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return double(usage.ru_maxrss) / 1024.; // kilobytes with Linux
+}
+
+double in_half_precision(double x)
+{
+  int exponent;
+  const double mantissa = std::frexp(x, &exponent);
+  return std::ldexp(std::round(std::ldexp(mantissa, 11)), exponent - 11);
+}
+
+// Random points of a square, with their distances to its boundary. They are nowhere in memory.
+class Square_source : public wireframe::Distance_cloud_source
+{
+  std::size_t m_size;
+  bool m_is_coarse;
+
+public:
+  Square_source(std::size_t size, bool is_coarse) : m_size(size), m_is_coarse(is_coarse) {}
+
+  bool read(const Sink& sink) override
+  {
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> number(0., 1.);
+    std::vector<Sample> chunk;
+    for (std::size_t k = 0; k < m_size; k += chunk.size())
+    {
+      chunk.clear();
+      for (std::size_t i = k; i < m_size && i < k + 4096; ++i)
+      {
+        const double x = number(random), y = number(random);
+        const double distance = (std::min)((std::min)(x, 1. - x), (std::min)(y, 1. - y));
+        chunk.push_back({x, y, 0., m_is_coarse ? in_half_precision(distance) : distance});
+      }
+      if (!sink(chunk.data(), chunk.data() + chunk.size()))
+        return true;
+    }
+    return true;
+  }
+};
+
+// The memory that is taken does not grow with the cloud, also if many points have the same distance.
+void test_memory_for_coarse_fields()
+{
+  const double before = peak_in_megabytes();
+  double r[2];
+  for (bool is_coarse : {false, true})
+  {
+    Square_source source(3000000, is_coarse);
+    wireframe::internal::Surveyed_cloud cloud(source, 20000);
+    const bool is_read = cloud.survey();
+    assert(is_read && !cloud.is_in_memory());
+    r[is_coarse] = cloud.scale().sampling_distance;
+  }
+  assert(is_about(r[1], r[0], 0.03));
+  assert(peak_in_megabytes() - before < 60.);
+}
+
 void test_filter()
 {
   using namespace Sample_solids;
@@ -250,6 +315,7 @@ void test_files()
 
 int main()
 {
+  test_memory_for_coarse_fields(); // first, before others have taken as much
   test_clouds_that_are_gone_over_several_times();
   test_duplicates();
   test_equal_distances();

@@ -219,9 +219,9 @@ private:
       if (CGAL::to_double(m_cloud[i].second) <= (m_width - reach_of_neighbors) * m_bound)
         inner.push_back(i);
     }
-    std::vector<std::size_t> queries = internal::spread_indices(inner.size());
-    for (std::size_t& q : queries)
-      q = inner[q];
+    internal::Cloud_values queries;
+    for (std::size_t k : internal::spread_indices(inner.size()))
+      queries.add(positions[inner[k]], 0., inner[k]);
     return internal::cloud_scale(positions, std::vector<double>(), queries).sampling_distance;
   }
 };

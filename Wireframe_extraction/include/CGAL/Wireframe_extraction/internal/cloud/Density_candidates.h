@@ -12,16 +12,19 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_DENSITY_CANDIDATES_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_DENSITY_CANDIDATES_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Cloud_values.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Distance_histogram.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Position_sample.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/sampling_distance.h>
 
-#include <boost/sort/spreadsort/float_sort.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <limits>
+#include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -29,94 +32,197 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// The points of a cloud at which its density may be measured, sorted by distance. Between equal distances, a hash of
-// the position decides, so that the order of the cloud does not matter.
-class Density_candidates
+// a number that looks random, the same for equal distances
+inline std::uint64_t distance_hash(double distance) { return position_hash(Vector(distance, 0., 0.)); }
+
+// Of the points whose distances are in one bin of a histogram, those that may be chosen: all as long as they are few. Of
+// many with the same distance, as coarse fields have, those with the smallest hashes are kept, and of many different
+// distances likewise. So what is kept is bounded, and does not depend on the order of the cloud.
+class Similar_points
 {
-  struct Ranked
+public:
+  struct Candidate
   {
     double distance;
+    std::uint64_t hash; // of the position
     std::size_t index;
-  };
+    Vector position;
 
-  struct Distance_less
-  {
-    bool operator()(const Ranked& a, const Ranked& b) const { return a.distance < b.distance; }
-  };
-  // of the bits of a distance, from the highest on
-  struct Distance_digits
-  {
-    std::int64_t operator()(const Ranked& a, unsigned int shift) const
+    bool operator<(const Candidate& other) const
     {
-      return boost::sort::spreadsort::float_mem_cast<double, std::int64_t>(a.distance) >> shift;
+      return std::tie(distance, hash) < std::tie(other.distance, other.hash);
     }
   };
 
-  const Cloud_values& m_values;
-  std::vector<Ranked> m_sorted;
+private:
+  // Of the 2^17 bins per power of two, a hundred million points of a field in double precision put about 150 in each: of
+  // these none is left out.
+  static constexpr std::size_t most = 256;
+
+  std::vector<Candidate> m_candidates;                                 // sorted
+  std::uint64_t m_bound = (std::numeric_limits<std::uint64_t>::max)(); // of the hashes of distances
 
 public:
-  // those of the values that lie nearer than `bound`
-  Density_candidates(const Cloud_values& values, double bound) : m_values(values)
+  // ranks, among all points of the bin, of the points that are wanted, and how many points it has
+  std::vector<std::size_t> ranks;
+  std::size_t number_of_points = 0;
+
+  void add(const Vector& position, double distance, std::size_t index)
   {
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (values.distances[i] < bound)
-        m_sorted.push_back({values.distances[i] + 0., i}); // there is a negative zero
-    boost::sort::spreadsort::float_sort(m_sorted.begin(), m_sorted.end(), Distance_digits(), Distance_less());
-    for (std::size_t begin = 0, end = 0; begin < size(); begin = end)
+    if (m_bound < (std::numeric_limits<std::uint64_t>::max)() && distance_hash(distance) >= m_bound)
+      return;
+    const Candidate added{distance, position_hash(position), index, position};
+    const auto range = range_of(distance);
+    const auto place = std::lower_bound(range.first, range.second, added);
+    if (place != range.second && place->hash == added.hash)
+      return; // the same position
+    // two are needed to see that others have the same distance
+    const std::size_t most_of_distance = (std::max)(std::size_t(2), ranks.size());
+    if (std::size_t(range.second - range.first) < most_of_distance)
+      m_candidates.insert(place, added);
+    else if (place != range.second)
     {
-      for (end = begin + 1; end < size() && m_sorted[end].distance == m_sorted[begin].distance; ++end)
-      {}
-      if (end - begin > 1)
-        sort_by_hash(begin, end);
+      std::move_backward(place, range.second - 1, range.second);
+      *place = added;
     }
+    while (m_candidates.size() > (std::max)(most, most_of_distance))
+      drop_distance();
   }
 
-  std::size_t size() const { return m_sorted.size(); }
-  std::size_t index(std::size_t rank) const { return m_sorted[rank].index; } // among the values
+  std::size_t size() const { return m_candidates.size(); }
+  const Candidate& operator[](std::size_t i) const { return m_candidates[i]; }
 
-  // Of the candidates the nearest to a rank whose distance no other position has, so that a moved cloud has the same.
-  // Returns their number if all similar distances are ambiguous, as the zeros of a field with errors are.
-  std::size_t nearest_clear_one(std::size_t rank) const
+  // where the candidate is that stands for the point with a rank in the bin
+  std::size_t place(std::size_t rank) const
   {
-    const Distance_histogram::Bin bin = Distance_histogram::bin(m_sorted[rank].distance);
-    const auto is_similar = [&](std::size_t i) { return Distance_histogram::bin(m_sorted[i].distance) == bin; };
-    bool goes_up = true, goes_down = true;
-    for (std::size_t step = 0; goes_up || goes_down; ++step)
+    return size() == number_of_points
+      ? rank
+      : (std::min)(size() - 1, static_cast<std::size_t>(double(rank) / double(number_of_points) * double(size())));
+  }
+
+  // The candidate nearest to a place whose distance no other position has, so that a moved cloud has the same. Returns
+  // their number if all are ambiguous, as the zeros of a field with errors are.
+  std::size_t nearest_clear_one(std::size_t place) const
+  {
+    for (std::size_t step = 0; step < size(); ++step)
     {
-      goes_up = goes_up && rank + step < size() && is_similar(rank + step);
-      if (goes_up && is_clear(rank + step))
-        return rank + step;
-      goes_down = goes_down && rank >= step && is_similar(rank - step);
-      if (goes_down && is_clear(rank - step))
-        return rank - step;
+      if (place + step < size() && is_clear(place + step))
+        return place + step;
+      if (place >= step && is_clear(place - step))
+        return place - step;
     }
     return size();
   }
 
 private:
-  void sort_by_hash(std::size_t begin, std::size_t end)
+  typedef std::vector<Candidate>::iterator Iterator;
+
+  std::pair<Iterator, Iterator> range_of(double distance)
   {
-    std::vector<std::pair<std::uint64_t, std::size_t>> keys;
-    for (std::size_t k = begin; k < end; ++k)
-      keys.emplace_back(position_hash(m_values.positions[m_sorted[k].index]), m_sorted[k].index);
-    std::sort(keys.begin(), keys.end());
-    for (std::size_t k = begin; k < end; ++k)
-      m_sorted[k].index = keys[k - begin].second;
+    struct Less
+    {
+      bool operator()(const Candidate& a, double d) const { return a.distance < d; }
+      bool operator()(double d, const Candidate& a) const { return d < a.distance; }
+    };
+    return std::equal_range(m_candidates.begin(), m_candidates.end(), distance, Less());
+  }
+
+  // the one with the largest hash; from now on no point with this one or a larger one is taken
+  void drop_distance()
+  {
+    const auto largest =
+      std::max_element(m_candidates.begin(), m_candidates.end(), [](const Candidate& a, const Candidate& b) {
+        return distance_hash(a.distance) < distance_hash(b.distance);
+      });
+    m_bound = distance_hash(largest->distance);
+    const auto range = range_of(largest->distance);
+    m_candidates.erase(range.first, range.second);
   }
 
   bool is_clear(std::size_t i) const
   {
-    const auto agrees = [&](std::size_t j) {
-      return m_sorted[i].distance != m_sorted[j].distance
-        || m_values.positions[m_sorted[i].index] == m_values.positions[m_sorted[j].index];
-    };
-    return (i == 0 || agrees(i - 1)) && (i + 1 == size() || agrees(i + 1));
+    return (i == 0 || m_candidates[i - 1].distance != m_candidates[i].distance)
+      && (i + 1 == size() || m_candidates[i + 1].distance != m_candidates[i].distance);
   }
 };
 
-// the indices of the different positions with the smallest hashes
-inline std::vector<std::size_t> spread_positions(const Cloud_values& values)
+// The points of a cloud at which its density may be measured: those whose distances are in the same bins of a histogram
+// as those with the wanted ranks.
+class Density_candidates
+{
+  typedef Distance_histogram::Bin Bin;
+
+  std::vector<std::size_t> m_ranks;
+  std::size_t m_next = 0; // of the ranks
+  std::vector<Similar_points> m_bins;
+  std::unordered_map<Bin, std::size_t> m_bin_indices;
+  // by the last digits of the bins: most points need no more than a look at this
+  static constexpr std::size_t number_of_marks = std::size_t(1) << 16;
+  std::vector<bool> m_marks;
+
+public:
+  // `ranks` are ascending
+  explicit Density_candidates(std::vector<std::size_t> ranks)
+    : m_ranks(std::move(ranks)), m_marks(number_of_marks, false)
+  {}
+
+  // Tells how many points lie in a bin that is not empty, and in smaller ones. To be called for all bins, in their order,
+  // before points are added.
+  void add_bin(Bin bin, std::uint64_t smaller, std::uint64_t number)
+  {
+    Similar_points points;
+    for (; m_next < m_ranks.size() && m_ranks[m_next] < smaller + number; ++m_next)
+      points.ranks.push_back(m_ranks[m_next] - static_cast<std::size_t>(smaller));
+    if (points.ranks.empty())
+      return;
+    points.number_of_points = static_cast<std::size_t>(number);
+    m_bin_indices.emplace(bin, m_bins.size());
+    m_marks[bin % number_of_marks] = true;
+    m_bins.push_back(std::move(points));
+  }
+
+  void add(const Vector& position, double distance, std::size_t index)
+  {
+    const Bin bin = Distance_histogram::bin(distance);
+    if (!m_marks[bin % number_of_marks])
+      return;
+    const auto found = m_bin_indices.find(bin);
+    if (found != m_bin_indices.end())
+      m_bins[found->second].add(position, distance + 0., index); // there is a negative zero
+  }
+
+  // how many points are kept
+  std::size_t size() const
+  {
+    std::size_t sum = 0;
+    for (const Similar_points& points : m_bins)
+      sum += points.size();
+    return sum;
+  }
+
+  // Those that stand for the wanted ranks: such with a distance of their own, if there are `least` of them. A coarse
+  // field tells hardly any points apart.
+  Cloud_values chosen(std::size_t least) const
+  {
+    Cloud_values all, clear;
+    for (const Similar_points& points : m_bins)
+      for (std::size_t rank : points.ranks)
+      {
+        if (points.size() == 0)
+          continue; // the cloud has changed meanwhile
+        const std::size_t place = points.place(rank), clear_place = points.nearest_clear_one(place);
+        const bool is_clear = clear_place < points.size();
+        const Similar_points::Candidate& candidate = points[is_clear ? clear_place : place];
+        all.add(candidate.position, candidate.distance, candidate.index);
+        if (is_clear)
+          clear.add(candidate.position, candidate.distance, candidate.index);
+      }
+    return clear.size() < least ? all : clear;
+  }
+};
+
+// different positions of a cloud, with the smallest hashes
+inline Cloud_values spread_positions(const Cloud_values& values)
 {
   std::vector<std::pair<std::uint64_t, std::size_t>> keys;
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -127,9 +233,9 @@ inline std::vector<std::size_t> spread_positions(const Cloud_values& values)
                 [&](const auto& a, const auto& b) { return values.positions[a.second] == values.positions[b.second]; }),
     keys.end());
   keys.resize((std::min)(keys.size(), most_density_samples));
-  std::vector<std::size_t> result;
+  Cloud_values result;
   for (const auto& key : keys)
-    result.push_back(key.second);
+    result.add(values.positions[key.second], values.distances[key.second], key.second);
   return result;
 }
 

@@ -127,14 +127,13 @@ private:
   // from now on the points are too many to be in memory
   void start_histogram();
 
-  // The points at which the density is measured, as indices of `values`: the sample if it is the whole cloud, else `others`,
-  // which is filled. They are evenly spread over the ranks of the distances: the same points whatever the order of the
-  // cloud. Those at the largest value are left out, since a field is truncated there.
-  std::vector<std::size_t> density_queries(const Cloud_values& values, Cloud_values& others) const;
+  // as `Distance_histogram::for_each_bin()`
+  template <class Use>
+  void for_each_bin(const Use& use) const;
 
-  // Those points whose distances are in the same bins of the histogram as the wanted ones. The ranks become ranks among
-  // them.
-  void read_candidates(std::vector<std::size_t>& ranks, Cloud_values& candidates) const;
+  // The points at which the density is measured. They are evenly spread over the ranks of the distances: the same points
+  // whatever the order of the cloud. Those at the largest value are left out, since a field is truncated there.
+  Cloud_values density_queries() const;
 };
 
 } // namespace internal

@@ -18,6 +18,8 @@
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/sampling_distance.h>
 
+#include <boost/sort/spreadsort/float_sort.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -45,14 +47,12 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool Surveyed_cloud::survey()
 
 CGAL_WIREFRAME_EXTRACTION_INLINE Cloud_scale Surveyed_cloud::scale() const
 {
-  Cloud_values others; // candidates that are not in memory
-  const Cloud_values& values = is_in_memory() ? sample() : others;
-  const std::vector<std::size_t> queries = density_queries(values, others);
+  const Cloud_values queries = density_queries();
   if (is_in_memory() && sample().size() <= least_to_scan)
     return cloud_scale(sample().positions, sample().distances, queries);
   Neighbor_scan scan;
-  for (std::size_t i : queries)
-    scan.add_query(values.positions[i], values.distances[i]);
+  for (std::size_t i = 0; i < queries.size(); ++i)
+    scan.add_query(queries.positions[i], queries.distances[i]);
   if (is_in_memory())
   {
     start_with_few(scan);
@@ -112,56 +112,41 @@ CGAL_WIREFRAME_EXTRACTION_INLINE void Surveyed_cloud::start_histogram()
     m_histogram->add(distance);
 }
 
-CGAL_WIREFRAME_EXTRACTION_INLINE std::vector<std::size_t> Surveyed_cloud::density_queries(const Cloud_values& values,
-                                                                                          Cloud_values& others) const
+template <class Use>
+void Surveyed_cloud::for_each_bin(const Use& use) const
+{
+  if (m_histogram)
+  {
+    m_histogram->for_each_bin(use);
+    return;
+  }
+  // few distances are sorted faster than counted
+  std::vector<double> distances = sample().distances;
+  boost::sort::spreadsort::float_sort(distances.begin(), distances.end());
+  for (std::size_t begin = 0, end = 0; begin < distances.size(); begin = end)
+  {
+    const Distance_histogram::Bin bin = Distance_histogram::bin(distances[begin]);
+    for (end = begin; end < distances.size() && Distance_histogram::bin(distances[end]) == bin; ++end)
+    {}
+    use(bin, std::uint64_t(begin), std::uint64_t(end - begin));
+  }
+}
+
+CGAL_WIREFRAME_EXTRACTION_INLINE Cloud_values Surveyed_cloud::density_queries() const
 {
   static constexpr std::size_t least = 64;
   const std::size_t count = number_of_valid() - m_number_of_largest;
   if (count < least)
-  { // the field is hardly known anywhere
-    if (!is_in_memory())
-      others = sample();
-    return spread_positions(values);
-  }
-  std::vector<std::size_t> ranks = spread_indices(count);
-  if (!is_in_memory())
-    read_candidates(ranks, others);
-  const Density_candidates candidates(values, m_largest);
-  std::vector<std::size_t> queries, clear_queries;
-  for (std::size_t rank : ranks)
-  {
-    if (rank >= candidates.size())
-      continue;
-    const std::size_t clear = candidates.nearest_clear_one(rank);
-    const bool is_clear = clear < candidates.size();
-    queries.push_back(candidates.index(is_clear ? clear : rank));
-    if (is_clear)
-      clear_queries.push_back(queries.back());
-  }
-  // a coarse field tells hardly any points apart
-  return clear_queries.size() < least ? queries : clear_queries;
-}
-
-CGAL_WIREFRAME_EXTRACTION_INLINE void Surveyed_cloud::read_candidates(std::vector<std::size_t>& ranks,
-                                                                      Cloud_values& candidates) const
-{
-  std::vector<bool> is_wanted(Distance_histogram::number_of_bins, false);
-  std::size_t next = 0;
-  std::uint64_t passed_over = 0;
-  m_histogram->for_each_bin([&](Distance_histogram::Bin bin, std::uint64_t smaller, std::uint64_t number) {
-    if (next == ranks.size() || ranks[next] >= smaller + number)
-    {
-      passed_over += number;
-      return;
-    }
-    is_wanted[bin] = true;
-    for (; next < ranks.size() && ranks[next] < smaller + number; ++next)
-      ranks[next] -= static_cast<std::size_t>(passed_over);
+    return spread_positions(sample()); // the field is hardly known anywhere
+  Density_candidates candidates(spread_indices(count));
+  for_each_bin([&](Distance_histogram::Bin bin, std::uint64_t smaller, std::uint64_t number) {
+    candidates.add_bin(bin, smaller, bin == Distance_histogram::bin(m_largest) ? number - m_number_of_largest : number);
   });
   for_each([&](const Vector& position, double distance, std::size_t index) {
-    if (is_wanted[Distance_histogram::bin(distance)] && distance < m_largest)
+    if (distance < m_largest)
       candidates.add(position, distance, index);
   });
+  return candidates.chosen(least);
 }
 
 } // namespace internal

@@ -17,6 +17,7 @@
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
 #include <CGAL/Wireframe_extraction/internal/base/position_search_traits.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Cloud_scale.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Cloud_values.h>
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/number_utils.h>
@@ -76,7 +77,7 @@ public:
 };
 
 inline Cloud_scale cloud_scale(const std::vector<Vector>& positions, const std::vector<double>& distances,
-                               const std::vector<std::size_t>& queries)
+                               const Cloud_values& queries)
 {
   typedef Position_search_traits Traits;
   typedef CGAL::Orthogonal_k_neighbor_search<Traits> Search;
@@ -92,9 +93,9 @@ inline Cloud_scale cloud_scale(const std::vector<Vector>& positions, const std::
   const typename Search::Distance metric(map);
   Density_measures measures;
   const unsigned int wanted_or_all = static_cast<unsigned int>((std::min)(density_neighbors + 1, unique.size()));
-  for (std::size_t q : queries)
+  for (std::size_t q = 0; q < queries.size(); ++q)
   {
-    const Search search(tree, positions[q], wanted_or_all, 0., true, metric);
+    const Search search(tree, queries.positions[q], wanted_or_all, 0., true, metric);
     std::size_t neighbors = 0;
     double first = 0., last = 0., slope = 0.;
     for (const auto& neighbor : search)
@@ -105,7 +106,7 @@ inline Cloud_scale cloud_scale(const std::vector<Vector>& positions, const std::
       if (neighbors++ == 0)
         first = last;
       if (!distances.empty())
-        slope = (std::max)(slope, std::abs(distances[q] - distances[neighbor.first]) / std::sqrt(last));
+        slope = (std::max)(slope, std::abs(queries.distances[q] - distances[neighbor.first]) / std::sqrt(last));
     }
     if (neighbors > 0)
       measures.add(first, last, neighbors, slope);

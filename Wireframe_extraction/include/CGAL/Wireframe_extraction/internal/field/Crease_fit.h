@@ -8,12 +8,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Wireframe_extraction authors
+
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CREASE_FIT_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CREASE_FIT_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Symmetric_factorization.h>
+#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
 #include <CGAL/Wireframe_extraction/internal/field/Local_curve.h>
 #include <CGAL/Wireframe_extraction/internal/field/Section_sums.h>
+
+#include <CGAL/number_utils.h>
 
 #include <Eigen/Geometry>
 

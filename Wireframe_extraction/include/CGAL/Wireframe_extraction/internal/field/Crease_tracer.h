@@ -84,13 +84,16 @@ public:
       && crease.fold > (std::max)(0.3, 2.5 * crease.fold_deviation);
   }
 
-  bool is_traced(const Local_curve& front) const { return m_traced.hold(front, reach()); }
+  bool is_traced(const Local_curve& front) const { return is_along(m_traced, front); }
+
+  // whether one of some curves is the one that a front is on
+  bool is_along(const Traced_creases& curves, const Local_curve& front) const { return curves.hold(front, reach()); }
 
   // whether a path would be another if some more curves had been kept before
   bool depends_on(const Traced_creases& more, const Crease_path& path) const
   {
     return std::any_of(path.fronts.begin(), path.fronts.end(),
-                       [&](const Local_curve& front) { return more.hold(front, reach()); });
+                       [&](const Local_curve& front) { return is_along(more, front); });
   }
 
   Crease_path trace(const Crease& seed)
@@ -158,7 +161,7 @@ private:
     Crease front = start; // the last one that is sure
     Local_curve predicted = start.curve;
     double miss = 0., gap = 0., length = 0.;
-    std::size_t supported = 0, covered = 0;
+    std::size_t supported = 0, covered = 0, uncovered_size = 0;
     const std::size_t most = 10 + 4 * m_band.size();
     while (path.size() < most)
     {
@@ -171,9 +174,11 @@ private:
       fronts.push_back(predicted);
       if (is_traced(predicted) || runs_along(own, predicted, reach()))
       {
+        if (covered == 0)
+          uncovered_size = path.size();
         if (++covered == 3)
         {
-          path.resize(path.size() - (std::min)(path.size(), std::size_t(2)));
+          path.resize(uncovered_size); // steps that were not sure added nothing to it
           return false;
         }
       }

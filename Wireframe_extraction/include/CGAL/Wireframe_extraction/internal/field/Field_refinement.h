@@ -11,7 +11,9 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_FIELD_REFINEMENT_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_FIELD_REFINEMENT_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Ball_search.h>
 #include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
+#include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
 #include <CGAL/Wireframe_extraction/internal/field/Contraction.h>
 #include <CGAL/Wireframe_extraction/internal/field/Crease_tracer.h>
@@ -40,7 +42,8 @@ class Field_refinement
   std::vector<Vector> m_positions;   // theirs
   Ball_search m_search;              // among them
   std::vector<Crease> m_creases;     // those of the places come first
-  Traced_creases m_traced;
+  Traced_creases m_traced, m_rejected;
+  std::size_t m_number_of_traces = 0;
   std::vector<Traced_curve> m_curves; // along creases
 
   struct Average
@@ -79,6 +82,9 @@ public:
 
   double surface_noise() const { return m_options.surface_noise; }
   const std::vector<Traced_curve>& curves() const { return m_curves; }
+
+  // how many curves were followed, also in vain
+  std::size_t number_of_traces() const { return m_number_of_traces; }
 
   // standard deviation of the new distances, where creases are good
   double typical_deviation() const
@@ -209,6 +215,7 @@ private:
         return false;
       const std::vector<std::size_t> chosen = seeds_far_apart(seeds, begin, end);
       std::vector<Crease_path> paths(chosen.size());
+      m_number_of_traces += chosen.size();
       for_each_piece(
         chosen.size(),
         [&](std::size_t first, std::size_t beyond) {
@@ -223,13 +230,21 @@ private:
         const bool is_chosen = next < chosen.size() && chosen[next] == seeds[n];
         const std::size_t k = next;
         next += is_chosen;
-        if (tracer().is_traced(m_creases[seeds[n]].curve))
+        if (is_done(m_creases[seeds[n]].curve))
           continue;
         const bool holds = is_chosen && !tracer().depends_on(meanwhile, paths[k]);
+        m_number_of_traces += !holds;
         keep(holds ? std::move(paths[k]) : tracer().trace(m_creases[seeds[n]]), seeds[n], meanwhile);
       }
     }
     return true;
+  }
+
+  // whether a curve was followed there already, and kept or not
+  bool is_done(const Local_curve& seed) const
+  {
+    const Crease_tracer tracer = this->tracer();
+    return tracer.is_traced(seed) || tracer.is_along(m_rejected, seed);
   }
 
   Crease_tracer tracer() const { return Crease_tracer(m_band, m_options, m_traced); }
@@ -255,7 +270,6 @@ private:
   {
     static constexpr double least_distance = 30.;
     const std::size_t most = concurrency();
-    const Crease_tracer tracer = this->tracer();
     std::vector<std::size_t> chosen;
     for (end = begin; end < seeds.size() && chosen.size() < most; ++end)
     {
@@ -263,7 +277,7 @@ private:
       const bool is_far = std::all_of(chosen.begin(), chosen.end(), [&](std::size_t i) {
         return (m_creases[i].curve.point - seed.point).norm() > least_distance;
       });
-      if (is_far && !tracer.is_traced(seed))
+      if (is_far && !is_done(seed))
         chosen.push_back(seeds[end]);
     }
     return chosen;
@@ -274,7 +288,10 @@ private:
     Crease_tracer tracer = this->tracer();
     const Traced_curve curve = tracer.curve_along(path);
     if (curve.length() < 3. || tracer.share_of_support(curve.points) < 0.3)
+    {
+      m_rejected.add(curve.points); // from other seeds along it, the same would come about
       return;
+    }
     m_traced.add(curve.points);
     meanwhile.add(curve.points);
     m_curves.push_back(curve);
