@@ -128,9 +128,7 @@ Summary summary_of(const Options& options, const CGAL::Wireframe<GeomTraits>& wi
   rows.emplace_back("Curves", curves_text(wireframe));
   for (const std::string& regularity : report.regularities)
     rows.emplace_back("Regular", regularity); // curves are counted from 0, as in the files
-  rows.emplace_back("Residuals",
-                    "rms " + length_text(report.root_mean_square, r) + ", largest "
-                      + length_text(report.maximum_deviation, r));
+  rows.emplace_back("Residuals", "rms " + length_text(report.rms, r) + ", largest " + length_text(report.max, r));
   return rows;
 }
 

@@ -203,18 +203,18 @@ Json index_or_null(std::size_t vertex)
 Json json_of_curve(std::size_t index, const CGAL::Wireframe_curve<Kernel>& curve, std::size_t first, std::size_t count)
 {
   Json json = {{"index", index},
-               {"type", CGAL::IO::internal::name_of(curve.type)},
+               {"type", CGAL::to_string(curve.type)},
                {"closed", curve.is_closed()},
                {"source", index_or_null(curve.source)},
                {"target", index_or_null(curve.target)},
-               {"length", CGAL::to_double(curve.spline.length())},
-               {"rms", curve.root_mean_square},
-               {"max", curve.maximum_deviation},
+               {"length", CGAL::to_double(curve.length())},
+               {"rms", curve.rms},
+               {"max", curve.max},
                {"support", curve.support},
                {"first", first},
                {"count", count}};
-  if (CGAL::is_conic(curve.type))
-    json["radii"] = {curve.conic.major_radius, curve.conic.minor_radius};
+  if (curve.conic)
+    json["radii"] = {curve.conic->major_radius, curve.conic->minor_radius};
   return json;
 }
 
@@ -241,7 +241,7 @@ Json json_of_colours()
 {
   Json json;
   for (const CGAL::Wireframe_curve_type type : CGAL::IO::internal::all_curve_types())
-    json[CGAL::IO::internal::name_of(type)] = CGAL::IO::internal::hexadecimal(CGAL::IO::internal::colour_of(type));
+    json[CGAL::to_string(type)] = CGAL::IO::internal::hexadecimal(CGAL::IO::internal::colour_of(type));
   return json;
 }
 

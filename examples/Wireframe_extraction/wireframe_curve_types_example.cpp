@@ -16,19 +16,6 @@ typedef CGAL::Wireframe_curve_type Type;
 
 namespace parameters = CGAL::Wireframe_extraction::parameters;
 
-std::string name(Type type)
-{
-  switch (type)
-  {
-  case Type::LINE: return "line";
-  case Type::CIRCLE: return "circle";
-  case Type::ARC: return "arc of a circle";
-  case Type::ELLIPSE: return "ellipse";
-  case Type::ELLIPTIC_ARC: return "arc of an ellipse";
-  default: return "B-spline";
-  }
-}
-
 int main(int argc, char** argv)
 {
   std::vector<std::pair<Kernel::Point_3, double>> cloud;
@@ -44,9 +31,9 @@ int main(int argc, char** argv)
 
   for (const Wireframe::Curve& curve : wireframe.curves)
   {
-    std::cout << name(curve.type) << " of length " << curve.spline.length();
-    if (is_conic(curve.type))
-      std::cout << ", center " << curve.conic.center << ", radius " << curve.conic.major_radius << " +- "
+    std::cout << to_string(curve.type) << " of length " << curve.length();
+    if (curve.conic)
+      std::cout << ", center " << curve.conic->center << ", radius " << curve.conic->major_radius << " +- "
                 << curve.uncertainty.major_radius;
     else if (curve.type == Type::LINE)
       std::cout << ", direction certain to " << curve.uncertainty.direction << " rad";

@@ -22,12 +22,14 @@ Wireframe::Curve circle(const Wireframe& wireframe, std::size_t vertex, double r
 {
   Wireframe::Curve curve;
   curve.type = CGAL::Wireframe_curve_type::CIRCLE;
-  curve.conic.center = Point(0, 0, wireframe.vertices[vertex].z());
-  curve.conic.axis = Vector(0, 0, 1);
-  curve.conic.major_direction = Vector(1, 0, 0);
-  curve.conic.major_radius = curve.conic.minor_radius = radius;
-  curve.conic.end_angle = 2. * CGAL_PI;
-  curve.spline = curve.conic.to_spline(true); // whatever its type, a curve has its B-spline form, too
+  CGAL::Wireframe_conic<Kernel> conic;
+  conic.center = Point(0, 0, wireframe.vertices[vertex].z());
+  conic.axis = Vector(0, 0, 1);
+  conic.major_direction = Vector(1, 0, 0);
+  conic.major_radius = conic.minor_radius = radius;
+  conic.end_angle = 2. * CGAL_PI;
+  curve.conic = conic;
+  curve.spline = conic.to_spline(true); // whatever its type, a curve has its B-spline form, too
   curve.source = curve.target = vertex;
   return curve;
 }

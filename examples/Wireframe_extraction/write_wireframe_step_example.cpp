@@ -31,12 +31,14 @@ void add_half_circle(Wireframe& wireframe, const Point_3& center, std::size_t so
 {
   Wireframe::Curve curve;
   curve.type = CGAL::Wireframe_curve_type::ARC;
-  curve.conic.center = center;
-  curve.conic.axis = Vector_3(0, 0, 1);
-  curve.conic.major_direction = (wireframe.vertices[source] - center) / 0.25;
-  curve.conic.major_radius = curve.conic.minor_radius = 0.25;
-  curve.conic.end_angle = CGAL_PI;
-  curve.spline = curve.conic.to_spline();
+  CGAL::Wireframe_conic<Kernel> conic;
+  conic.center = center;
+  conic.axis = Vector_3(0, 0, 1);
+  conic.major_direction = (wireframe.vertices[source] - center) / 0.25;
+  conic.major_radius = conic.minor_radius = 0.25;
+  conic.end_angle = CGAL_PI;
+  curve.conic = conic;
+  curve.spline = conic.to_spline();
   curve.source = source;
   curve.target = target;
   wireframe.curves.push_back(curve);

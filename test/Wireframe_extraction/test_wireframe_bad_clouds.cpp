@@ -50,7 +50,7 @@ void check(const Wireframe& wireframe, const Report& report)
   {
     assert(
       Wireframe::Curve::Spline::is_valid(curve.spline.degree(), curve.spline.knots(), curve.spline.control_points()));
-    assert(std::isfinite(curve.root_mean_square) && std::isfinite(curve.maximum_deviation));
+    assert(std::isfinite(curve.rms) && std::isfinite(curve.max));
     const auto range = curve.spline.parameter_range();
     const Point first = curve.spline.point(range.first), last = curve.spline.point(range.second);
     assert(is_finite(first) && is_finite(last));

@@ -197,10 +197,10 @@ void test_bad_wireframes()
   wireframe.vertices[1] = Point(1, infinity, 0);
   refuse_to_write(wireframe, {"vertex 1", "not finite"});
   wireframe = valid_wireframe();
-  wireframe.curves[1].root_mean_square = nan;
+  wireframe.curves[1].rms = nan;
   refuse_to_write(wireframe, {"curve 1", "residual"});
   wireframe = valid_wireframe();
-  wireframe.curves[0].maximum_deviation = infinity;
+  wireframe.curves[0].max = infinity;
   refuse_to_write(wireframe, {"curve 0", "residual"});
   wireframe = valid_wireframe();
   wireframe.curves[1].source = 5;

@@ -108,17 +108,18 @@ public:
   {
     Curve curve;
     curve.type = type;
-    curve.conic.center = center;
+    curve.conic.emplace();
+    curve.conic->center = center;
     axis = axis / std::sqrt(axis.squared_length());
     direction = direction - (direction * axis) * axis;
-    curve.conic.axis = axis;
-    curve.conic.major_direction = direction / std::sqrt(direction.squared_length());
-    curve.conic.major_radius = m_scale * major;
-    curve.conic.minor_radius = m_scale * minor;
-    curve.conic.start_angle = start;
-    curve.conic.end_angle = end;
+    curve.conic->axis = axis;
+    curve.conic->major_direction = direction / std::sqrt(direction.squared_length());
+    curve.conic->major_radius = m_scale * major;
+    curve.conic->minor_radius = m_scale * minor;
+    curve.conic->start_angle = start;
+    curve.conic->end_angle = end;
     const bool is_full = type == Type::CIRCLE || type == Type::ELLIPSE;
-    curve.spline = curve.conic.to_spline(is_full);
+    curve.spline = curve.conic->to_spline(is_full);
     std::size_t target = source;
     if (has_vertices)
     {
@@ -267,7 +268,7 @@ double deviation(const BRepAdaptor_Curve& edge, const Curve& curve, double scale
 void check_parameters(const BRepAdaptor_Curve& edge, const Curve& curve, double scale, double tolerance,
                       const std::string& what)
 {
-  const double major = scale * curve.conic.major_radius, minor = scale * curve.conic.minor_radius;
+  const double major = scale * curve.conic->major_radius, minor = scale * curve.conic->minor_radius;
   if (edge.GetType() == GeomAbs_Circle)
     check(std::abs(edge.Circle().Radius() - major) <= scale * tolerance, what + ": radius");
   if (edge.GetType() == GeomAbs_Ellipse)
@@ -495,7 +496,7 @@ void test_refused()
   wireframe.vertices[2] = Point(nan, 0, 0);
   check_refused(wireframe, "not finite");
   wireframe = make_sample();
-  wireframe.curves[0].conic.major_radius = nan;
+  wireframe.curves[0].conic->major_radius = nan;
   check_refused(wireframe, "curve 0: ");
   wireframe = make_sample();
   wireframe.curves[1].target = 99;

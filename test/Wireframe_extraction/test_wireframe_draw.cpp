@@ -53,12 +53,13 @@ Wireframe frame_with_circle()
   line.target = 1;
   Wireframe::Curve circle;
   circle.type = CGAL::Wireframe_curve_type::CIRCLE;
-  circle.conic.center = Point(0, 0, 1);
-  circle.conic.axis = Kernel::Vector_3(0, 0, 1);
-  circle.conic.major_direction = Kernel::Vector_3(1, 0, 0);
-  circle.conic.major_radius = circle.conic.minor_radius = 1.5;
-  circle.conic.end_angle = 2. * CGAL_PI;
-  circle.spline = circle.conic.to_spline(true);
+  circle.conic.emplace();
+  circle.conic->center = Point(0, 0, 1);
+  circle.conic->axis = Kernel::Vector_3(0, 0, 1);
+  circle.conic->major_direction = Kernel::Vector_3(1, 0, 0);
+  circle.conic->major_radius = circle.conic->minor_radius = 1.5;
+  circle.conic->end_angle = 2. * CGAL_PI;
+  circle.spline = circle.conic->to_spline(true);
   wireframe.curves = {line, circle};
   return wireframe;
 }

@@ -85,8 +85,8 @@ private:
 
   void measure(Curve& curve)
   {
-    curve.root_mean_square = number(0, 0.1);
-    curve.maximum_deviation = number(0.1, 0.2);
+    curve.rms = number(0, 0.1);
+    curve.max = number(0.1, 0.2);
     curve.support = static_cast<std::size_t>(number(1, 1000));
     if (curve.type == Type::BSPLINE)
       return;
@@ -119,14 +119,14 @@ private:
     const bool is_round = (type == Type::CIRCLE || type == Type::ARC);
     const bool is_full = (type == Type::CIRCLE || type == Type::ELLIPSE);
     const double major = number(2, 3), begin = is_round ? 0. : number(-4, 4);
-    curve.conic = {point(),
-                   axis,
-                   x,
-                   major,
-                   is_round ? major : number(0.5, 2),
-                   is_full ? 0. : begin,
-                   is_full ? 2 * CGAL_PI : begin + number(0.1, 6.2)};
-    curve.spline = curve.conic.to_spline(is_full);
+    curve.conic = CGAL::Wireframe_conic<Kernel>{point(),
+                                                axis,
+                                                x,
+                                                major,
+                                                is_round ? major : number(0.5, 2),
+                                                is_full ? 0. : begin,
+                                                is_full ? 2 * CGAL_PI : begin + number(0.1, 6.2)};
+    curve.spline = curve.conic->to_spline(is_full);
     if (!is_full)
     {
       curve.source = add_vertex(curve.spline.control_points().front());
@@ -355,12 +355,12 @@ void test_dxf_geometry()
       else
       {
         const Point point = dxf_conic_point(name, numbers, share);
-        const double angle = curve.conic.start_angle + share * (curve.conic.end_angle - curve.conic.start_angle);
+        const double angle = curve.conic->start_angle + share * (curve.conic->end_angle - curve.conic->start_angle);
         // a circle of the format has no start of its own
         if (curve.type == Type::CIRCLE)
           assert(curve.spline.closest_point(point).distance < 1e-9);
         else
-          assert(distance(point, curve.conic.point(angle)) < 1e-9);
+          assert(distance(point, curve.conic->point(angle)) < 1e-9);
       }
     }
   }
@@ -372,12 +372,13 @@ void test_dxf_limits()
   Wireframe wireframe;
   Curve curve;
   curve.type = Type::ELLIPSE;
-  curve.conic = {Point(1, 0, 0), Vector(0, 0, 1), Vector(1, 0, 0), 1, 1e-7, 0, 2 * CGAL_PI};
-  curve.spline = curve.conic.to_spline(true);
+  curve.conic =
+    CGAL::Wireframe_conic<Kernel>{Point(1, 0, 0), Vector(0, 0, 1), Vector(1, 0, 0), 1, 1e-7, 0, 2 * CGAL_PI};
+  curve.spline = curve.conic->to_spline(true);
   wireframe.curves.push_back(curve);
   curve.type = Type::ARC;
-  curve.conic.minor_radius = 1;
-  curve.spline = curve.conic.to_spline();
+  curve.conic->minor_radius = 1;
+  curve.spline = curve.conic->to_spline();
   wireframe.vertices = {curve.spline.control_points().front(), curve.spline.control_points().back()};
   curve.source = 0;
   curve.target = 1;
@@ -532,13 +533,13 @@ void test_csv()
     assert(row["index"] == std::to_string(i));
     assert(row["closed"] == (curve.is_closed() ? "true" : "false"));
     assert(row["source"].empty() == (curve.source == Curve::no_vertex));
-    assert(std::stod(row["length"]) == curve.spline.length() && std::stod(row["max"]) == curve.maximum_deviation);
+    assert(std::stod(row["length"]) == curve.spline.length() && std::stod(row["max"]) == curve.max);
     assert(row["center_y"].empty() == (curve.type == Type::BSPLINE));
     assert(row["minor_radius"].empty() == !CGAL::is_conic(curve.type));
     if (CGAL::is_conic(curve.type))
-      assert(std::stod(row["center_y"]) == curve.conic.center.y() && std::stod(row["axis_z"]) == curve.conic.axis.z()
-             && std::stod(row["minor_radius"]) == curve.conic.minor_radius
-             && std::stod(row["end_angle"]) == curve.conic.end_angle
+      assert(std::stod(row["center_y"]) == curve.conic->center.y() && std::stod(row["axis_z"]) == curve.conic->axis.z()
+             && std::stod(row["minor_radius"]) == curve.conic->minor_radius
+             && std::stod(row["end_angle"]) == curve.conic->end_angle
              && std::stod(row["minor_radius_uncertainty"]) == curve.uncertainty.minor_radius);
   }
 }
@@ -570,7 +571,7 @@ void test_vtp()
   for (std::size_t i = 0; i < offsets.size(); begin = std::size_t(offsets[i++]))
   {
     const Curve& curve = wireframe.curves[i];
-    assert(radii[wireframe.vertices.size() + i] == (CGAL::is_conic(curve.type) ? curve.conic.major_radius : 0.));
+    assert(radii[wireframe.vertices.size() + i] == (CGAL::is_conic(curve.type) ? curve.conic->major_radius : 0.));
     assert(!curve.is_closed() || indices[begin] == indices[std::size_t(offsets[i]) - 1]);
     for (std::size_t j = begin; j < std::size_t(offsets[i]); ++j)
     {
@@ -729,7 +730,7 @@ void test_errors()
                                                         {"curve 1", near_wireframe()},
                                                         {"curve 0", near_wireframe()}};
   bad[0].second.vertices[1] = Point(nan, 0, 0);
-  bad[1].second.curves[2].conic.minor_radius = nan;
+  bad[1].second.curves[2].conic->minor_radius = nan;
   bad[2].second.curves[1].target = 1000;
   bad[3].second.curves[0].spline = Spline();
 
@@ -845,12 +846,13 @@ void test_minimal_traits()
   CGAL::Wireframe<Minimal_traits> wireframe;
   CGAL::Wireframe_curve<Minimal_traits> curve;
   curve.type = Type::CIRCLE;
-  curve.conic.center = Minimal_point(1, 2, 3);
-  curve.conic.axis = Minimal_vector(0, 0, 1);
-  curve.conic.major_direction = Minimal_vector(1, 0, 0);
-  curve.conic.major_radius = curve.conic.minor_radius = 4;
-  curve.conic.end_angle = 2 * CGAL_PI;
-  curve.spline = curve.conic.to_spline(true);
+  curve.conic.emplace();
+  curve.conic->center = Minimal_point(1, 2, 3);
+  curve.conic->axis = Minimal_vector(0, 0, 1);
+  curve.conic->major_direction = Minimal_vector(1, 0, 0);
+  curve.conic->major_radius = curve.conic->minor_radius = 4;
+  curve.conic->end_angle = 2 * CGAL_PI;
+  curve.spline = curve.conic->to_spline(true);
   wireframe.curves.push_back(curve);
   std::vector<std::string> all = extensions;
   all.insert(all.end(), {".json", ".ply", ".txt"});

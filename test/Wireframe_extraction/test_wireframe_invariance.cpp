@@ -126,8 +126,7 @@ bool are_identical(const Wireframe& a, const Wireframe& b)
     return false;
   for (std::size_t c = 0; c < a.curves.size(); ++c)
     if (a.curves[c].spline.control_points() != b.curves[c].spline.control_points()
-        || a.curves[c].spline.knots() != b.curves[c].spline.knots()
-        || a.curves[c].root_mean_square != b.curves[c].root_mean_square)
+        || a.curves[c].spline.knots() != b.curves[c].spline.knots() || a.curves[c].rms != b.curves[c].rms)
       return false;
   return true;
 }

@@ -62,15 +62,16 @@ private:
     Curve result;
     result.type = type;
     const Traits traits;
-    result.conic.center = point();
-    result.conic.axis = traits.construct_vector_3_object()(FT(std::sin(tilt)), FT(0), FT(std::cos(tilt)));
-    result.conic.major_direction = traits.construct_vector_3_object()(FT(std::cos(tilt)), FT(0), FT(-std::sin(tilt)));
-    result.conic.major_radius = number(2, 3);
-    result.conic.minor_radius = type == Type::CIRCLE || type == Type::ARC ? result.conic.major_radius : number(1, 2);
+    result.conic.emplace();
+    result.conic->center = point();
+    result.conic->axis = traits.construct_vector_3_object()(FT(std::sin(tilt)), FT(0), FT(std::cos(tilt)));
+    result.conic->major_direction = traits.construct_vector_3_object()(FT(std::cos(tilt)), FT(0), FT(-std::sin(tilt)));
+    result.conic->major_radius = number(2, 3);
+    result.conic->minor_radius = type == Type::CIRCLE || type == Type::ARC ? result.conic->major_radius : number(1, 2);
     const bool is_full = type == Type::CIRCLE || type == Type::ELLIPSE;
-    result.conic.start_angle = is_full ? FT(0) : number(0, 3);
-    result.conic.end_angle = is_full ? FT(2 * pi) : FT(result.conic.start_angle + number(0.1, 6));
-    result.spline = result.conic.to_spline(is_full);
+    result.conic->start_angle = is_full ? FT(0) : number(0, 3);
+    result.conic->end_angle = is_full ? FT(2 * pi) : FT(result.conic->start_angle + number(0.1, 6));
+    result.spline = result.conic->to_spline(is_full);
     result.uncertainty.position = number(0, 1);
     result.uncertainty.direction = number(0, 1);
     result.uncertainty.major_radius = number(0, 1);
@@ -111,8 +112,8 @@ private:
       weights.push_back(number(0.5, 2));
     result.type = type;
     result.spline = typename Curve::Spline(degree, knots, points, weights, is_closed);
-    result.root_mean_square = number(0, 1);
-    result.maximum_deviation = number(0, 1e-300);
+    result.rms = number(0, 1);
+    result.max = number(0, 1e-300);
     result.support = i * 1000;
     return result;
   }
@@ -135,7 +136,7 @@ std::vector<double> numbers_of(const std::vector<Position>& points)
 template <class Traits>
 std::vector<double> conic_numbers(const CGAL::Wireframe_curve<Traits>& curve)
 {
-  const auto& c = curve.conic;
+  const auto& c = *curve.conic;
   const auto& u = curve.uncertainty;
   std::vector<double> numbers = numbers_of<Traits>(std::vector<typename Traits::Point_3>{c.center});
   const std::vector<typename Traits::Vector_3> directions = {c.axis, c.major_direction};
@@ -158,8 +159,8 @@ bool are_equal(const CGAL::Wireframe<Traits>& first, const CGAL::Wireframe<Trait
     const auto& a = first.curves[i];
     const auto& b = second.curves[i];
     is_equal = a.type == b.type && a.source == b.source && a.target == b.target && a.support == b.support
-      && a.root_mean_square == b.root_mean_square && a.maximum_deviation == b.maximum_deviation
-      && (!CGAL::is_conic(a.type) || conic_numbers(a) == conic_numbers(b)) && a.is_closed() == b.is_closed()
+      && a.rms == b.rms && a.max == b.max && bool(a.conic) == bool(b.conic)
+      && (!a.conic || conic_numbers(a) == conic_numbers(b)) && a.is_closed() == b.is_closed()
       && a.spline.degree() == b.spline.degree() && a.spline.knots() == b.spline.knots()
       && a.spline.weights() == b.spline.weights()
       && numbers_of<Traits>(a.spline.control_points()) == numbers_of<Traits>(b.spline.control_points());
@@ -234,16 +235,16 @@ void test_bad_conics()
   const CGAL::Wireframe<Kernel> good = theta_wireframe();
   assert(!fails(good, ""));
   CGAL::Wireframe<Kernel> bad = good;
-  bad.curves[2].conic.axis = Kernel::Vector_3(0, 0, 2);
+  bad.curves[2].conic->axis = Kernel::Vector_3(0, 0, 2);
   assert(fails(bad, "axis"));
   bad = good;
-  bad.curves[2].conic.minor_radius = -1;
+  bad.curves[2].conic->minor_radius = -1;
   assert(fails(bad, "radii"));
   bad = good;
-  bad.curves[2].conic.end_angle = -1;
+  bad.curves[2].conic->end_angle = -1;
   assert(fails(bad, "angle"));
   bad = good;
-  bad.curves[2].conic.center = Point(0, 0, 1);
+  bad.curves[2].conic->center = Point(0, 0, 1);
   assert(fails(bad, "ends"));
   bad = good;
   bad.curves[2].uncertainty.position = std::numeric_limits<double>::quiet_NaN();

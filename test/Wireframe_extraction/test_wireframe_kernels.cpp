@@ -73,7 +73,7 @@ bool are_equal(const CGAL::Wireframe<A>& a, const CGAL::Wireframe<B>& b)
     const auto& x = a.curves[c];
     const auto& y = b.curves[c];
     if (x.source != y.source || x.target != y.target || x.is_closed() != y.is_closed() || x.support != y.support
-        || x.root_mean_square != y.root_mean_square || x.maximum_deviation != y.maximum_deviation
+        || x.rms != y.rms || x.max != y.max
         || !std::equal(x.spline.knots().begin(), x.spline.knots().end(), y.spline.knots().begin(),
                        y.spline.knots().end())
         || x.spline.control_points().size() != y.spline.control_points().size())

@@ -78,7 +78,7 @@ Result extracted(const Sampled_shape& shape)
   assert(report.sampling_distance == wireframe.sampling_distance);
   assert(std::abs(report.sampling_distance / r - 1.) < 0.06);
   assert(report.skeleton_size > 100 && report.number_of_clusters > 0);
-  assert(report.root_mean_square > 0. && report.root_mean_square <= report.maximum_deviation);
+  assert(report.rms > 0. && report.rms <= report.max);
   assert(!report.seconds.empty());
   return {visitor.splines, wireframe};
 }
@@ -187,7 +187,7 @@ void check_types(const Sampled_shape& shape, const Wireframe& wireframe)
            == 1);
   for (const Wireframe::Curve& curve : wireframe.curves)
   {
-    assert(curve.support > 0 && curve.root_mean_square < 0.3 * r);
+    assert(curve.support > 0 && curve.rms < 0.3 * r);
     assert(curve.source == curve.no_vertex
            || (curve.spline.control_points().front() == wireframe.vertices[curve.source]
                && curve.spline.control_points().back() == wireframe.vertices[curve.target]));
@@ -243,7 +243,7 @@ void check_exactly(const std::string& name, Sampling sampling)
   assert(deviation_from_wireframe(shape, wireframe).mean < 0.3);
   for (const Wireframe::Curve& curve : wireframe.curves)
   {
-    assert(curve.support > 0 && curve.root_mean_square < 0.3 * r);
+    assert(curve.support > 0 && curve.rms < 0.3 * r);
     assert(!curve.spline.is_rational() && curve.spline.degree() == 3);
   }
 }

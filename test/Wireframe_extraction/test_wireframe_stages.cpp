@@ -947,8 +947,8 @@ void test_fit_of_a_circle()
   assert(std::abs(wireframe.curves[0].spline.length() / r - 2. * CGAL_PI * circle_radius) < 0.2);
   // nearly every point of the support is explained
   assert(wireframe.curves[0].support > stages.skeleton.support_size() * 9 / 10);
-  assert(wireframe.curves[0].root_mean_square < 0.05 * r);
-  assert(wireframe.curves[0].maximum_deviation >= wireframe.curves[0].root_mean_square);
+  assert(wireframe.curves[0].rms < 0.05 * r);
+  assert(wireframe.curves[0].max >= wireframe.curves[0].rms);
 }
 
 void test_fit_of_a_line()

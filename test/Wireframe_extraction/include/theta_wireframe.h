@@ -45,8 +45,10 @@ inline CGAL::Wireframe<Kernel> theta_wireframe()
              {1., w, 1., w, 1., w, 1., w, 1.}, true),
       none, none);
   typedef Kernel::Vector_3 Vector;
-  wireframe.curves[2].conic = {Point(0.5, 0.5, 0), Vector(0, 0, 1), Vector(-w, -w, 0), w, w, 0, 0.5 * CGAL_PI};
-  wireframe.curves[4].conic = {Point(5, 0, 0), Vector(0, 0, 1), Vector(1, 0, 0), 1, 1, 0, 2 * CGAL_PI};
+  wireframe.curves[2].conic =
+    CGAL::Wireframe_conic<Kernel>{Point(0.5, 0.5, 0), Vector(0, 0, 1), Vector(-w, -w, 0), w, w, 0, 0.5 * CGAL_PI};
+  wireframe.curves[4].conic =
+    CGAL::Wireframe_conic<Kernel>{Point(5, 0, 0), Vector(0, 0, 1), Vector(1, 0, 0), 1, 1, 0, 2 * CGAL_PI};
   return wireframe;
 }
 

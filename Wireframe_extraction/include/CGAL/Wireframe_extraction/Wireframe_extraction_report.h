@@ -50,8 +50,8 @@ struct Wireframe_extraction_report
   double sampling_distance = 0.;            ///< in the cloud's unit
   double noise = 0.;                        ///< noise level of the field, in the cloud's unit: what
                                             ///< `Wireframe_skeleton::noise()` returns after the refinement
-  double root_mean_square = 0.;             ///< of the residuals of all curves, in the cloud's unit
-  double maximum_deviation = 0.;            ///< largest residual of a supporting point, in the cloud's unit
+  double rms = 0.;                          ///< of the residuals of all curves, in the cloud's unit
+  double max = 0.;                          ///< largest residual of a supporting point, in the cloud's unit
   std::vector<std::pair<std::string, double>> seconds; ///< duration of the stages, in their order
 };
 

@@ -130,16 +130,15 @@ private:
   {
     if (!json.is_object())
       return fail("it is no JSON object");
-    double root_mean_square = 0., maximum_deviation = 0.;
+    double rms = 0., max = 0.;
     std::size_t support = 0;
     if (!read_type(json, curve.type) || !read_vertex(json, "source", curve.source)
-        || !read_vertex(json, "target", curve.target)
-        || (json.contains("rms") && !read_number(json, "rms", root_mean_square))
-        || (json.contains("max") && !read_number(json, "max", maximum_deviation))
+        || !read_vertex(json, "target", curve.target) || (json.contains("rms") && !read_number(json, "rms", rms))
+        || (json.contains("max") && !read_number(json, "max", max))
         || (json.contains("support") && !read_count(json, "support", support)))
       return false;
-    curve.root_mean_square = FT(root_mean_square);
-    curve.maximum_deviation = FT(maximum_deviation);
+    curve.rms = FT(rms);
+    curve.max = FT(max);
     curve.support = support;
     return read_spline(json, curve) && read_parameters(json, curve);
   }
@@ -147,7 +146,7 @@ private:
   // what a line or a conic has beside its spline; uncertainties may be missing
   bool read_parameters(const Json& json, Curve& curve)
   {
-    if (is_conic(curve.type) && !read_conic(json, curve.conic))
+    if (is_conic(curve.type) && !read_conic(json, curve.conic.emplace()))
       return false;
     if (curve.type == Wireframe_curve_type::BSPLINE || !json.contains("uncertainty"))
       return true;
@@ -220,9 +219,9 @@ private:
     for (const Wireframe_curve_type known : types)
     {
       type = known;
-      if (json.contains("type") && json["type"] == name_of(known))
+      if (json.contains("type") && json["type"] == to_string(known))
         return true;
-      names += std::string(names.empty() ? "" : ", ") + name_of(known);
+      names += std::string(names.empty() ? "" : ", ") + to_string(known);
     }
     return fail("\"type\" is " + found(json, "type") + ", it has to be one of " + names);
   }

@@ -100,14 +100,14 @@ std::string csv_row(std::size_t index, const Wireframe_curve<GeomTraits>& curve,
 {
   Csv_row row;
   row.add(std::to_string(index));
-  row.add(std::string(name_of(curve.type)));
+  row.add(to_string(curve.type));
   row.add(std::string(curve.is_closed() ? "true" : "false"));
   for (const std::size_t vertex : {curve.source, curve.target})
     row.add(vertex == Wireframe_curve<GeomTraits>::no_vertex ? std::string() : std::to_string(vertex));
-  row.add(CGAL::to_double(curve.spline.length()));
+  row.add(CGAL::to_double(curve.length()));
   const auto& uncertainty = curve.uncertainty;
-  if (is_conic(curve.type))
-    add_csv_conic(curve.conic, traits, row);
+  if (curve.conic)
+    add_csv_conic(*curve.conic, traits, row);
   else if (curve.type == Wireframe_curve_type::LINE)
     add_csv_line(curve, traits, row);
   else
@@ -119,15 +119,15 @@ std::string csv_row(std::size_t index, const Wireframe_curve<GeomTraits>& curve,
     row.add(CGAL::to_double(uncertainty.position));
     row.add(CGAL::to_double(uncertainty.direction));
   }
-  if (is_conic(curve.type))
+  if (curve.conic)
   {
     row.add(CGAL::to_double(uncertainty.major_radius));
     row.add(CGAL::to_double(uncertainty.minor_radius));
   }
   else
     row.add_empty(2);
-  row.add(CGAL::to_double(curve.root_mean_square));
-  row.add(CGAL::to_double(curve.maximum_deviation));
+  row.add(CGAL::to_double(curve.rms));
+  row.add(CGAL::to_double(curve.max));
   row.add(std::to_string(curve.support));
   return row.text();
 }

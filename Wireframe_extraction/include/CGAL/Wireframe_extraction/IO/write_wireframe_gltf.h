@@ -57,8 +57,8 @@ public:
       const auto& curve = wireframe.curves[i];
       const std::size_t kind = static_cast<std::size_t>(
         std::find(all_curve_types().begin(), all_curve_types().end(), curve.type) - all_curve_types().begin());
-      add_node("curve_" + std::to_string(i) + "_" + name_of(curve.type), extras_of(i, curve), sampled_.polylines[i], 3,
-               kind);
+      add_node("curve_" + std::to_string(i) + "_" + to_string(curve.type), extras_of(i, curve), sampled_.polylines[i],
+               3, kind);
     }
     if (!is_finite_)
       error = "the wireframe is too large for the single precision of glTF; scale it down";
@@ -117,10 +117,9 @@ private:
   template <class GeomTraits>
   static std::string extras_of(std::size_t index, const Wireframe_curve<GeomTraits>& curve)
   {
-    return ",\"extras\":{\"index\":" + std::to_string(index) + ",\"type\":\"" + name_of(curve.type) + "\",\"closed\":"
-      + (curve.is_closed() ? "true" : "false") + ",\"rms\":" + json_number(CGAL::to_double(curve.root_mean_square))
-      + ",\"max\":" + json_number(CGAL::to_double(curve.maximum_deviation))
-      + ",\"support\":" + std::to_string(curve.support) + "}";
+    return ",\"extras\":{\"index\":" + std::to_string(index) + ",\"type\":\"" + to_string(curve.type) + "\",\"closed\":"
+      + (curve.is_closed() ? "true" : "false") + ",\"rms\":" + json_number(CGAL::to_double(curve.rms))
+      + ",\"max\":" + json_number(CGAL::to_double(curve.max)) + ",\"support\":" + std::to_string(curve.support) + "}";
   }
 
   // with a mesh of its own; the mode is that of glTF: 0 for points, 3 for a polyline
@@ -167,7 +166,7 @@ private:
   {
     std::string text;
     for (const Wireframe_curve_type type : all_curve_types())
-      text += material(name_of(type), colour_of(type)) + ",";
+      text += material(to_string(type), colour_of(type)) + ",";
     return text + material("vertex", {0, 0, 0});
   }
 

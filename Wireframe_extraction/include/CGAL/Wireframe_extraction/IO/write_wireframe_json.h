@@ -67,11 +67,11 @@ std::string json_parameters(const Wireframe_curve<GeomTraits>& curve, const Geom
 {
   if (curve.type == Wireframe_curve_type::BSPLINE)
     return "";
-  const auto& conic = curve.conic;
   const auto& uncertainty = curve.uncertainty;
   std::string parameters, radii;
-  if (is_conic(curve.type))
+  if (curve.conic)
   {
+    const Wireframe_conic<GeomTraits>& conic = *curve.conic;
     parameters = ",\"center\":" + json_point(conic.center, traits) + ",\"axis\":" + json_point(conic.axis, traits)
       + ",\"major_direction\":" + json_point(conic.major_direction, traits)
       + ",\"radii\":" + json_pair(conic.major_radius, conic.minor_radius)
@@ -90,15 +90,14 @@ std::string json_curve(const Wireframe_curve<GeomTraits>& curve, const GeomTrait
   const auto to_index = [](std::size_t index) {
     return index == Wireframe_curve<GeomTraits>::no_vertex ? std::string("null") : std::to_string(index);
   };
-  std::string text = std::string("{\"type\":\"") + name_of(curve.type)
-    + "\",\"closed\":" + (curve.is_closed() ? "true" : "false") + ",\"source\":" + to_index(curve.source)
-    + ",\"target\":" + to_index(curve.target) + ",\"degree\":" + std::to_string(curve.spline.degree())
-    + ",\"knots\":" + json_array(curve.spline.knots(), to_number)
+  std::string text = "{\"type\":\"" + to_string(curve.type) + "\",\"closed\":" + (curve.is_closed() ? "true" : "false")
+    + ",\"source\":" + to_index(curve.source) + ",\"target\":" + to_index(curve.target) + ",\"degree\":"
+    + std::to_string(curve.spline.degree()) + ",\"knots\":" + json_array(curve.spline.knots(), to_number)
     + ",\"control_points\":" + json_array(curve.spline.control_points(), to_point);
   if (curve.spline.is_rational())
     text += ",\"weights\":" + json_array(curve.spline.weights(), to_number);
-  return text + json_parameters(curve, traits) + ",\"rms\":" + to_number(curve.root_mean_square)
-    + ",\"max\":" + to_number(curve.maximum_deviation) + ",\"support\":" + std::to_string(curve.support) + "}";
+  return text + json_parameters(curve, traits) + ",\"rms\":" + to_number(curve.rms) + ",\"max\":" + to_number(curve.max)
+    + ",\"support\":" + std::to_string(curve.support) + "}";
 }
 
 template <class GeomTraits>

@@ -38,7 +38,7 @@ std::string obj_comment(const CGAL::Wireframe<GeomTraits>& wireframe)
 
 inline std::string obj_group(std::size_t index, Wireframe_curve_type type)
 {
-  return "g curve_" + std::to_string(index) + "_" + name_of(type) + "\n";
+  return "g curve_" + std::to_string(index) + "_" + to_string(type) + "\n";
 }
 
 // Writes curves as free-form curves. The vertices come first, and are the ends of curves as far as their weight
@@ -64,7 +64,7 @@ public:
       if (curve.type == Wireframe_curve_type::LINE)
         write_line(i, curve);
       else
-        write_spline(i, curve, is_conic(curve.type) ? curve.conic.to_spline(curve.is_closed(), traits_) : curve.spline);
+        write_spline(i, curve, curve.conic ? curve.conic->to_spline(curve.is_closed(), traits_) : curve.spline);
     }
   }
 

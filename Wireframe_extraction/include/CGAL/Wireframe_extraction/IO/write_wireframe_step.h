@@ -131,7 +131,7 @@ bool arrange_step_curves(const Handle(StepData_StepModel) & model, const CGAL::W
     {
       curves.push_back(set->ElementsValue(next++).Curve());
       curves.back()->SetName(
-        step_text("curve_" + std::to_string(step.first) + "_" + name_of(wireframe.curves[step.first].type)));
+        step_text("curve_" + std::to_string(step.first) + "_" + to_string(wireframe.curves[step.first].type)));
     }
     StepShape_GeometricSetSelect element;
     if (path.size() == 1)

@@ -137,10 +137,11 @@ private:
     for (std::size_t j = 0; j < sampled_.polylines.size(); ++j)
     {
       const Wireframe_curve_type type = wireframe.curves[j].type;
-      out << "<polyline class=\"" << name_of(type) << "\" stroke=\"" << hexadecimal(colour_of(type)) << "\" points=\"";
+      out << "<polyline class=\"" << to_string(type) << "\" stroke=\"" << hexadecimal(colour_of(type))
+          << "\" points=\"";
       for (const std::size_t index : sampled_.polylines[j])
         out << pixels(page_x(view, index)) << "," << pixels(page_y(view, index)) << " ";
-      out << "\"><title>curve " << std::to_string(j) << ": " << name_of(type) << "</title></polyline>\n";
+      out << "\"><title>curve " << std::to_string(j) << ": " << to_string(type) << "</title></polyline>\n";
     }
     for (std::size_t j = 0; j < wireframe.vertices.size(); ++j)
       out << "<circle class=\"vertex\" fill=\"black\" r=\"2\" cx=\"" << pixels(page_x(view, j)) << "\" cy=\""
@@ -170,7 +171,7 @@ private:
     for (const Wireframe_curve_type type : types)
     {
       out << "<text x=\"" << pixels(left) << "\" y=\"" << pixels(legend_top_ + 14.) << "\" fill=\""
-          << hexadecimal(colour_of(type)) << "\">" << name_of(type) << "</text>\n";
+          << hexadecimal(colour_of(type)) << "\">" << to_string(type) << "</text>\n";
       left += 90.;
     }
     out << "</g>\n";

@@ -69,6 +69,7 @@ template <class GeomTraits>
 void write_vtp_cells_data(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe)
 {
   typedef Wireframe_curve<GeomTraits> Curve;
+  typedef Wireframe_conic<GeomTraits> Conic;
   const auto add = [&](const std::string& type, const std::string& name, const std::string& of_vertex,
                        const auto& value) {
     write_vtp_cell_data(out, type, name, wireframe.vertices.size(), of_vertex, wireframe.curves, value);
@@ -77,21 +78,21 @@ void write_vtp_cells_data(std::ostream& out, const CGAL::Wireframe<GeomTraits>& 
   const auto vertex = [](std::size_t index) {
     return index == Curve::no_vertex ? std::string("-1") : std::to_string(index);
   };
-  const auto radius = [&](const Curve& curve, const auto& of_conic) {
-    return is_conic(curve.type) ? text(of_conic) : std::string("0");
+  const auto radius = [&](const Curve& curve, const auto member) {
+    return curve.conic ? text((*curve.conic).*member) : std::string("0");
   };
   add("Int64", "index", "-1", [](std::size_t i, const Curve&) { return std::to_string(i); });
   add("Int32", "type", "-1", [](std::size_t, const Curve& c) { return std::to_string(static_cast<int>(c.type)); });
   add("String", "type_name", vtp_codes("vertex"),
-      [](std::size_t, const Curve& c) { return vtp_codes(name_of(c.type)); });
+      [](std::size_t, const Curve& c) { return vtp_codes(to_string(c.type)); });
   add("Int32", "closed", "0", [](std::size_t, const Curve& c) { return std::string(c.is_closed() ? "1" : "0"); });
   add("Int64", "source", "-1", [&](std::size_t, const Curve& c) { return vertex(c.source); });
   add("Int64", "target", "-1", [&](std::size_t, const Curve& c) { return vertex(c.target); });
-  add("Float64", "length", "0", [&](std::size_t, const Curve& c) { return text(c.spline.length()); });
-  add("Float64", "radius", "0", [&](std::size_t, const Curve& c) { return radius(c, c.conic.major_radius); });
-  add("Float64", "minor_radius", "0", [&](std::size_t, const Curve& c) { return radius(c, c.conic.minor_radius); });
-  add("Float64", "rms", "0", [&](std::size_t, const Curve& c) { return text(c.root_mean_square); });
-  add("Float64", "max", "0", [&](std::size_t, const Curve& c) { return text(c.maximum_deviation); });
+  add("Float64", "length", "0", [&](std::size_t, const Curve& c) { return text(c.length()); });
+  add("Float64", "radius", "0", [&](std::size_t, const Curve& c) { return radius(c, &Conic::major_radius); });
+  add("Float64", "minor_radius", "0", [&](std::size_t, const Curve& c) { return radius(c, &Conic::minor_radius); });
+  add("Float64", "rms", "0", [&](std::size_t, const Curve& c) { return text(c.rms); });
+  add("Float64", "max", "0", [&](std::size_t, const Curve& c) { return text(c.max); });
   add("Int64", "support", "0", [](std::size_t, const Curve& c) { return std::to_string(c.support); });
 }
 

@@ -75,8 +75,8 @@ Wireframe<GeomTraits> fit(const Wireframe_skeleton<GeomTraits>& skeleton, const 
       curve.source = fitted.vertices[0];
       curve.target = fitted.vertices[1];
     }
-    curve.root_mean_square = FT(fitted.root_mean_square * skeleton.data().unit);
-    curve.maximum_deviation = FT(fitted.maximum_deviation * skeleton.data().unit);
+    curve.rms = FT(fitted.root_mean_square * skeleton.data().unit);
+    curve.max = FT(fitted.maximum_deviation * skeleton.data().unit);
     curve.support = fitted.support;
     wireframe.curves.push_back(curve);
   }

@@ -253,11 +253,11 @@ private:
         ++ends[curve.source];
         ++ends[curve.target];
       }
-      squares += CGAL::square(CGAL::to_double(curve.root_mean_square)) * double(curve.support);
+      squares += CGAL::square(CGAL::to_double(curve.rms)) * double(curve.support);
       support += double(curve.support);
-      m_report.maximum_deviation = (std::max)(m_report.maximum_deviation, CGAL::to_double(curve.maximum_deviation));
+      m_report.max = (std::max)(m_report.max, CGAL::to_double(curve.max));
     }
-    m_report.root_mean_square = support > 0. ? std::sqrt(squares / support) : 0.;
+    m_report.rms = support > 0. ? std::sqrt(squares / support) : 0.;
     m_report.number_of_free_ends = std::count(ends.begin(), ends.end(), std::size_t(1));
     m_report.number_of_corners = m_wireframe.vertices.size() - m_report.number_of_free_ends;
     m_report.number_of_curves = m_wireframe.curves.size();

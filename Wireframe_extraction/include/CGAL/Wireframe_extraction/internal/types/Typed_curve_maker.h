@@ -64,8 +64,8 @@ public:
     }
     else
     {
-      curve.root_mean_square = length(piece.root_mean_square);
-      curve.maximum_deviation = length(piece.maximum_deviation);
+      curve.rms = length(piece.root_mean_square);
+      curve.max = length(piece.maximum_deviation);
       curve.support = piece.support;
       if (!piece.is_primitive)
         curve.spline = to_spline(part(piece, polyline), piece.vertices[0] == piece.vertices[1], m_skeleton);
@@ -202,7 +202,7 @@ private:
       shape.major = (start - shape.center - (start - shape.center).dot(shape.axis) * shape.axis).normalized();
       begin = 0.;
     }
-    Wireframe_conic<GeomTraits>& conic = curve.conic;
+    Wireframe_conic<GeomTraits>& conic = curve.conic.emplace();
     conic.center = m_skeleton.to_point(shape.center);
     conic.axis = direction(shape.axis);
     conic.major_direction = direction(shape.major);

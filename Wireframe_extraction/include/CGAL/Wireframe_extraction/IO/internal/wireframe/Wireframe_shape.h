@@ -217,7 +217,7 @@ private:
 
   std::string make_conic(const Curve& curve, Trimmed_curve& trimmed) const
   {
-    const auto& conic = curve.conic;
+    const auto& conic = *curve.conic;
     const gp_Ax2 axes(to_point(conic.center), gp_Dir(to_xyz(conic.axis)), gp_Dir(to_xyz(conic.major_direction)));
     const double major = CGAL::to_double(conic.major_radius), minor = CGAL::to_double(conic.minor_radius);
     if (curve.type == Wireframe_curve_type::CIRCLE || curve.type == Wireframe_curve_type::ARC)

@@ -50,7 +50,7 @@ struct Orthonormal_conic
 template <class GeomTraits>
 Orthonormal_conic orthonormal_conic(const Wireframe_curve<GeomTraits>& curve, const GeomTraits& traits)
 {
-  const Wireframe_conic<GeomTraits>& conic = curve.conic;
+  const Wireframe_conic<GeomTraits>& conic = *curve.conic;
   Orthonormal_conic result;
   result.center = vector_of(conic.center, traits);
   result.axis = unit_vector(vector_of(conic.axis, traits));
