@@ -99,7 +99,7 @@ class Crease_fit
   static constexpr int number_of_directions = 32;
   // points farther from both half-lines than that say nothing about them: half the spacing of the points
   static constexpr double guess_reach = 0.5;
-  // Fewer points determine no crease. There are 13 parameters, but nine of them are known beforehand, roughly.
+  // Fewer points determine no crease. There are 13 parameters, but seven of them have expected sizes.
   static constexpr std::size_t least_samples = 10;
   // Residuals above the scale count as outliers. It starts where the first guess may be off, and shrinks from step to
   // step, but not below what one in 80 points exceeds.
@@ -113,9 +113,8 @@ class Crease_fit
   static constexpr double bend_deviation = 0.12, strip_deviation = 0.08, twist_deviation = 0.06;
   // for the parameters of which nothing is expected: keeps the equations solvable where no point tells
   static constexpr double least_information = 1e-3, relative_information = 1e-4;
-  // The residual is that of the points near the curve's point; single outliers count for no more than `worst_miss`, a
-  // point behind the crease for no more than `most_behind`.
-  static constexpr double residual_radius = 3., residual_length = 2., worst_miss = 0.5, most_behind = 1.;
+  // The residual is that of the points near the curve's point; none counts for more than `worst_miss`.
+  static constexpr double residual_radius = 3., residual_length = 2., worst_miss = 0.5;
   // Balls are tried from large to small: large ones average more noise away, small ones follow small features.
   static constexpr double radius_factors[] = {1.5, 1., 0.6, 0.4};
   // balls behind the front by this share of their radii, where these are not the smallest ones
@@ -493,7 +492,7 @@ private:
       const double distance = std::sqrt(offset.x * offset.x + offset.y * offset.y);
       if (distance > residual_radius || std::abs(p.s) > residual_length)
         continue;
-      const double e = offset.is_valid ? offset.across : (std::min)(most_behind, distance);
+      const double e = offset.is_valid ? offset.across : distance;
       squares += p.weight * (std::min)(worst_miss * worst_miss, e * e);
       total += p.weight;
     }
