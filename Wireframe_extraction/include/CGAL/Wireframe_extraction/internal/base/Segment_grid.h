@@ -60,7 +60,9 @@ public:
     bool is_valid() const { return curve != no_curve; }
   };
 
-  explicit Segment_grid(double cell = 4.) : m_cell(cell) {}
+  // r, about the largest radius that is asked for: a query looks at 27 cells at most
+  static constexpr double default_cell = 4.;
+  explicit Segment_grid(double cell = default_cell) : m_cell(cell) {}
 
   // long segments are entered piece by piece, each in the cell of its middle
   void add(std::size_t curve, const std::vector<Vector>& points)

@@ -85,13 +85,16 @@ class Neighbor_scan
       std::uint32_t query, is_used;
     };
 
+    static constexpr std::size_t first_size = 1024;
+    static constexpr double largest_index = 1e15; // cells farther away are one: doubles count no farther exactly
+
     double m_per_cell;
     std::vector<Entry> m_entries;
     std::size_t m_size = 0;
 
   public:
     // `cell` is a power of two
-    explicit Level(double cell) : m_per_cell(1. / cell), m_entries(1024, Entry{0, 0, 0}) {}
+    explicit Level(double cell) : m_per_cell(1. / cell), m_entries(first_size, Entry{0, 0, 0}) {}
 
     void add(std::uint32_t query, const Vector& p, double radius)
     {
@@ -122,7 +125,7 @@ class Neighbor_scan
     std::int64_t index(double x) const
     {
       const double k = std::floor(x * m_per_cell);
-      return static_cast<std::int64_t>((std::max)(-1e15, (std::min)(1e15, k)));
+      return static_cast<std::int64_t>((std::max)(-largest_index, (std::min)(largest_index, k)));
     }
 
     std::size_t home(std::uint64_t key) const
@@ -204,7 +207,7 @@ public:
   // shows it all points of the cloud; which may be neighbors is found out at the same time, block by block
   void add(const std::vector<Vector>& positions, const std::vector<double>& distances)
   {
-    static constexpr std::size_t block = 16384;
+    static constexpr std::size_t block = 16384; // points of a thread: they fit into its cache
     struct Hit
     {
       std::uint32_t query;

@@ -45,6 +45,9 @@ public:
   // points with the same index cannot be farther from each other than this share
   static constexpr double index_tolerance = 1e-3;
 
+  // of the coordinates, at each end, that are no part of these nine tenths
+  static constexpr std::size_t outer_share = 20;
+
   explicit Patch_fuser(Patch_fusion fusion) : m_fusion(fusion) {}
 
   // returns what went wrong, nothing if all went well
@@ -118,7 +121,7 @@ private:
     values.reserve(m_samples.size());
     for (const Sample& sample : m_samples)
       values.push_back(sample.position[axis]);
-    const std::size_t low = values.size() / 20, high = values.size() - 1 - low;
+    const std::size_t low = values.size() / outer_share, high = values.size() - 1 - low;
     std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(low), values.end());
     const double least = values[low];
     std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(high), values.end());

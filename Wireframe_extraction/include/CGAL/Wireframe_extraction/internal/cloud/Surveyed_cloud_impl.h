@@ -68,7 +68,7 @@ CGAL_WIREFRAME_EXTRACTION_INLINE Cloud_scale Surveyed_cloud::scale() const
 
 CGAL_WIREFRAME_EXTRACTION_INLINE void Surveyed_cloud::start_with_few(Neighbor_scan& scan) const
 {
-  Position_sample few(sample().size() / 8);
+  Position_sample few(sample().size() / start_share);
   sample().for_each([&few](const Vector& p, double distance, std::size_t index) { few.add(p, distance, index); });
   few.thin_out();
   scan.start(few.values().positions, few.values().distances);
@@ -134,9 +134,8 @@ void Surveyed_cloud::for_each_bin(const Use& use) const
 
 CGAL_WIREFRAME_EXTRACTION_INLINE Cloud_values Surveyed_cloud::density_queries() const
 {
-  static constexpr std::size_t least = 64;
   const std::size_t count = number_of_valid() - m_number_of_largest;
-  if (count < least)
+  if (count < least_queries)
     return spread_positions(sample()); // the field is hardly known anywhere
   Density_candidates candidates(spread_indices(count));
   for_each_bin([&](Distance_histogram::Bin bin, std::uint64_t smaller, std::uint64_t number) {
@@ -146,7 +145,7 @@ CGAL_WIREFRAME_EXTRACTION_INLINE Cloud_values Surveyed_cloud::density_queries() 
     if (distance < m_largest)
       candidates.add(position, distance, index);
   });
-  return candidates.chosen(least);
+  return candidates.chosen(least_queries);
 }
 
 } // namespace internal

@@ -27,6 +27,25 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
+// What a cloud must have so that its numbers can be meant, and what is told to the user otherwise.
+struct Input_limits
+{
+  // the outermost tenth of a sample is left out where its dimension is asked
+  static constexpr std::size_t outermost_share = 10;
+  // Rounding, relative to the coordinates; and of variances, relative to the squared extent, where single precision
+  // leaves planes a thickness of 1e-7.
+  static constexpr double rounding = 1e-12, variance_rounding = 1e-14;
+  // How much a field changes from point to point per distance: by 1 at most if it is exact, by 2 or 3 with the errors of a
+  // regressor, by 1000 or 0.001 with another unit.
+  static constexpr double most_slope = 8., least_slope = 0.1, most_usual_slope = 4., least_usual_slope = 0.6;
+  // by what factor a given sampling distance may differ from the measured one
+  static constexpr double most_times_denser = 10., most_times_coarser = 0.1;
+  // if as many points have the largest distance, it was cut off there
+  static constexpr double least_truncated_share = 0.05;
+  // no point within so many sampling distances of a feature: more than the surface of one that was scanned has
+  static constexpr double farthest_from_features = 50.;
+};
+
 CGAL_WIREFRAME_EXTRACTION_INLINE bool survey(Surveyed_cloud& cloud, bool skip_invalid,
                                              Wireframe_extraction_report& report)
 {
@@ -60,9 +79,9 @@ CGAL_WIREFRAME_EXTRACTION_INLINE int dimension(const std::vector<Vector>& positi
     offset -= center;
   std::sort(offsets.begin(), offsets.end(),
             [](const Vector& a, const Vector& b) { return a.stableNorm() < b.stableNorm(); });
-  offsets.resize((std::max)(std::size_t(1), offsets.size() - offsets.size() / 10));
+  offsets.resize((std::max)(std::size_t(1), offsets.size() - offsets.size() / Input_limits::outermost_share));
   const double extent = offsets.back().stableNorm();
-  if (!(extent > 1e-12 * center.cwiseAbs().maxCoeff()))
+  if (!(extent > Input_limits::rounding * center.cwiseAbs().maxCoeff()))
     return 0;
   Vector mean = Vector::Zero();
   for (Vector& offset : offsets)
@@ -74,7 +93,8 @@ CGAL_WIREFRAME_EXTRACTION_INLINE int dimension(const std::vector<Vector>& positi
   for (const Vector& offset : offsets)
     covariance += (offset - mean) * (offset - mean).transpose() / double(offsets.size());
   const Vector variances = principal_axes(covariance).values;
-  return int(variances[0] > 1e-14) + int(variances[1] > 1e-14) + int(variances[2] > 1e-14);
+  const auto is_there = [](double variance) { return int(variance > Input_limits::variance_rounding); };
+  return is_there(variances[0]) + is_there(variances[1]) + is_there(variances[2]);
 }
 
 CGAL_WIREFRAME_EXTRACTION_INLINE int dimension(const std::vector<Vector>& positions)
@@ -97,19 +117,21 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool check_scale(const Surveyed_cloud& cloud, c
   if (cloud.smallest_distance() == cloud.largest_distance())
     message << "all distances are " << cloud.smallest_distance() << ": this is no distance field; "
             << "give each point its own distance to the nearest sharp curve";
-  else if (scale.slope > 8.)
+  else if (scale.slope > Input_limits::most_slope)
     message << "the distances do not fit the points: from point to point they change " << scale.slope
             << " times as much as the points are apart; are they in another unit?";
-  else if (scale.slope < 0.1)
+  else if (scale.slope < Input_limits::least_slope)
     message << "the distances do not fit the points: from point to point they change only " << scale.slope
             << " times as much as the points are apart; are they in another unit?";
   else if (!(given >= 0.) || !std::isfinite(given))
     message << "the sampling distance must be positive and finite, not " << given;
-  else if (given > 10. * scale.sampling_distance || (given > 0. && given < 0.1 * scale.sampling_distance))
+  else if (given > Input_limits::most_times_denser * scale.sampling_distance
+           || (given > 0. && given < Input_limits::most_times_coarser * scale.sampling_distance))
     message << "a sampling distance of " << given << " does not fit the points: their density says "
             << scale.sampling_distance << "; is it in another unit?";
   report.message = message.str();
-  if (report.message.empty() && (scale.slope > 4. || scale.slope < 0.6))
+  if (report.message.empty()
+      && (scale.slope > Input_limits::most_usual_slope || scale.slope < Input_limits::least_usual_slope))
   {
     message << "from point to point the distances change " << scale.slope
             << " times as much as the points are apart, so they have large errors or another unit";
@@ -122,9 +144,8 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool check_truncation(const Surveyed_cloud& clo
                                                        const Extraction_options& options,
                                                        Wireframe_extraction_report& report)
 {
-  static constexpr double least_share = 0.05;
   const double largest = cloud.largest_distance() / unit;
-  if (double(cloud.number_of_largest()) < least_share * double(cloud.number_of_valid())
+  if (double(cloud.number_of_largest()) < Input_limits::least_truncated_share * double(cloud.number_of_valid())
       || largest >= options.support_distance)
     return true;
   std::ostringstream message;
@@ -146,7 +167,7 @@ CGAL_WIREFRAME_EXTRACTION_INLINE std::string no_feature_message(const Surveyed_c
   std::ostringstream message;
   message << "no point lies near a feature: the smallest distance is " << smallest << ", the threshold is "
           << threshold * unit << " (" << threshold << " times the sampling distance " << unit << ")";
-  if (smallest > 50. * unit)
+  if (smallest > Input_limits::farthest_from_features * unit)
     message << "; are the distances in another unit than the points?";
   return message.str();
 }

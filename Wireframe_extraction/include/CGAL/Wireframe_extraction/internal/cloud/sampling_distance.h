@@ -31,6 +31,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
+// Discs with 16 points vary by a quarter of their areas, so that the sampling distance from the median of so many errs by
+// a quarter of a per cent.
 constexpr std::size_t most_density_samples = 4096;
 
 // at most `most_density_samples` indices, evenly spread over [0, n)
@@ -43,6 +45,7 @@ inline std::vector<std::size_t> spread_indices(std::size_t n)
   return indices;
 }
 
+// Their disc has a radius of 2.5 r: it stays on one face next to most features.
 constexpr std::size_t density_neighbors = 16;
 
 // What was found around the queries. The sampling distance follows from the median, over the queries, of the area of the
@@ -52,12 +55,18 @@ class Density_measures
 {
   std::vector<double> m_areas, m_nearest, m_slopes;
 
+  // A random cloud holds k - 1/3 points in the median of these discs, a regular one about k + 1/2.
+  static constexpr double surplus_in_disc = 0.1;
+  // the square of r, per area of a point, in a Poisson-disk cloud: so both measures agree there
+  static constexpr double squared_distance_per_area = 0.82;
+  // The ratio of both measures is 0.55 where the points are random, above 0.9 where they keep their distance.
+  static constexpr double most_random = 0.85, transition = 0.05;
+
 public:
   // the squared distances of the first and of the last of some neighbors
   void add(double first, double last, std::size_t neighbors, double slope)
   {
-    // a random cloud holds k - 1/3 points in the median of these discs, a regular one about k + 1/2
-    m_areas.push_back(CGAL_PI * last / (double(neighbors) + 0.1));
+    m_areas.push_back(CGAL_PI * last / (double(neighbors) + surplus_in_disc));
     m_nearest.push_back(std::sqrt(first));
     m_slopes.push_back(slope);
   }
@@ -65,11 +74,11 @@ public:
   Cloud_scale scale() const
   {
     Cloud_scale scale;
-    const double from_density = std::sqrt(0.82 * median(m_areas)), from_nearest = median(m_nearest);
+    const double from_density = std::sqrt(squared_distance_per_area * median(m_areas)),
+                 from_nearest = median(m_nearest);
     if (!(from_density > 0.))
       return scale;
-    // their ratio is 0.55 where the points are random, above 0.9 where they keep their distance
-    const double regularity = (std::min)(1., (std::max)(0., (from_nearest / from_density - 0.85) / 0.05));
+    const double regularity = (std::min)(1., (std::max)(0., (from_nearest / from_density - most_random) / transition));
     scale.sampling_distance = from_density + regularity * (from_nearest - from_density);
     scale.slope = median(m_slopes);
     return scale;

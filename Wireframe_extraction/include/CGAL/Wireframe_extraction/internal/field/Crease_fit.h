@@ -13,6 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CREASE_FIT_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Symmetric_factorization.h>
+#include <CGAL/Wireframe_extraction/internal/base/error_rates.h>
 #include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
 #include <CGAL/Wireframe_extraction/internal/field/Local_curve.h>
 #include <CGAL/Wireframe_extraction/internal/field/Section_sums.h>
@@ -42,8 +43,13 @@ struct Crease
   bool is_traced = false; // part of a curve along the crease
   Vector strips[2];       // unit directions in which the strips leave the curve's point
 
+  // what turns less, 20 degrees, is smooth, as it is where chains of edges pass a vertex
+  static constexpr double least_sharp_fold = 0.35;
+  // of the strips, per r: a cylinder of a radius of 5 r has the same feature from both sides within the ball of a fit
+  static constexpr double largest_curvature = 0.2;
+
   // whether the surface is folded there beyond doubt
-  bool is_sharp() const { return fold > (std::max)(0.35, 4. * fold_deviation); }
+  bool is_sharp() const { return fold > (std::max)(least_sharp_fold, exceeded_by_one_in_16000 * fold_deviation); }
 
   // whether a point lies on one of the strips, up to `tolerance`
   bool holds(const Vector& p, double tolerance) const
@@ -52,7 +58,7 @@ struct Crease
     for (const Vector& strip : strips)
     {
       const double along = offset.dot(strip);
-      if (along > -tolerance && (offset - along * strip).norm() < tolerance + 0.1 * along * along)
+      if (along > -tolerance && (offset - along * strip).norm() < tolerance + 0.5 * largest_curvature * along * along)
         return true;
     }
     return false;
@@ -64,7 +70,7 @@ struct Crease_fit_options
   double radius = 4.;
   double field_noise = 0.3;   // of the distances
   double surface_noise = 0.1; // of the points' positions
-  int iterations = 8;
+  int iterations = 8;         // at most; the scale of outliers reaches its end after four, unless points err by 0.2
 };
 
 // Fits a crease to the points themselves and to the field at once: the points shall lie on two strips, and their
@@ -87,7 +93,38 @@ class Crease_fit
   std::vector<Sample> m_samples;
   std::vector<double> m_losses; // of the samples, for each direction
 
+  // Thresholds. Lengths are in sampling distances, angles in radians.
+
+  // the first guess, whose error the following steps correct: the directions are 11 degrees apart
   static constexpr int number_of_directions = 32;
+  // points farther from both half-lines than that say nothing about them: half the spacing of the points
+  static constexpr double guess_reach = 0.5;
+  // Fewer points determine no crease. There are 13 parameters, but seven of them have expected sizes.
+  static constexpr std::size_t least_samples = 10;
+  // Residuals above the scale count as outliers. It starts where the first guess may be off, and shrinks from step to
+  // step, but not below what one in 80 points exceeds.
+  static constexpr double first_scale = 0.6, shrinking = 0.6;
+  // A step beyond `longest_step` leaves what the linearisation knows; one below `settled_step` changes nothing.
+  static constexpr double longest_step = 0.5, settled_step = 1e-4;
+  // On the curve itself, the direction to it is undefined: nearer than that, it counts for less, and in the end not.
+  static constexpr double near_curve = 0.05, on_curve = 1e-9;
+  // Expected sizes, as standard deviations, per r: of the change of the curve's bend (a radius of 8 r), of the strips'
+  // curvatures (12 r), of their twist. Without them, a few points on a side let the fit wind.
+  static constexpr double bend_deviation = 0.12, strip_deviation = 0.08, twist_deviation = 0.06;
+  // for the parameters of which nothing is expected: keeps the equations solvable where no point tells
+  static constexpr double least_information = 1e-3, relative_information = 1e-4;
+  // The residual is that of the points near the curve's point; none counts for more than `worst_miss`.
+  static constexpr double residual_radius = 3., residual_length = 2., worst_miss = 0.5;
+  // Balls are tried from large to small: large ones average more noise away, small ones follow small features.
+  static constexpr double radius_factors[] = {1.5, 1., 0.6, 0.4};
+  // balls behind the front by this share of their radii, where these are not the smallest ones
+  static constexpr double shift_back = 0.6, least_factor_to_shift = 0.5;
+  // The residual of a crease that is as expected exceeds the noise by no more than that: it is known to ten per cent.
+  static constexpr double residual_inflation = 1.2;
+  // below this noise a corner ahead shows in the residual
+  static constexpr double least_noise_to_hide_corners = 0.05;
+  // of the curve's position, when nothing was fitted: worse than any
+  static constexpr double unknown_deviation = 10.;
 
 public:
   explicit Crease_fit(const Field_band& band) : m_band(band) {}
@@ -101,7 +138,7 @@ public:
     const Vector normal = start.tangent.unitOrthogonal();
     const Vector binormal = start.tangent.cross(normal);
     collect(start, center, normal, binormal, options.radius);
-    if (m_samples.size() < 10)
+    if (m_samples.size() < least_samples)
       return crease;
     Parameters q = Parameters::Zero();
     if (previous)
@@ -110,19 +147,19 @@ public:
     else
       find_directions(q[6], q[7]);
     Matrix hessian;
-    const double least_scale = 2.5 * options.surface_noise;
-    double scale = (std::max)(least_scale, 0.6);
+    const double least_scale = exceeded_by_one_in_80 * options.surface_noise;
+    double scale = (std::max)(least_scale, first_scale);
     for (int k = 0; k < options.iterations; ++k)
     {
       Parameters gradient;
       const double residual = accumulate(q, options, scale, hessian, gradient);
       const Parameters delta = Symmetric_factorization(hessian).solved(gradient);
       const double length = delta.head<2>().norm() + delta.segment<2>(6).norm();
-      q += length > 0.5 ? Parameters(0.5 / length * delta) : delta;
-      if (length < 1e-4 && scale == least_scale)
+      q += length > longest_step ? Parameters(longest_step / length * delta) : delta;
+      if (length < settled_step && scale == least_scale)
         break;
       // the outliers leave gradually, or the first guess would decide alone; where there are none, all is settled
-      scale = residual < least_scale ? least_scale : (std::max)(least_scale, 0.6 * scale);
+      scale = residual < least_scale ? least_scale : (std::max)(least_scale, shrinking * scale);
     }
     const double bend_x = start.bend.dot(normal), bend_y = start.bend.dot(binormal);
     crease.curve.point = start.point + q[0] * normal + q[1] * binormal;
@@ -146,7 +183,7 @@ public:
                               const Crease* previous = nullptr)
   {
     Crease best;
-    best.deviation = 10.;
+    best.deviation = unknown_deviation;
     // returns whether other balls may show more: where the surface is as it should be, they have less data only
     const auto try_ball = [&](double factor, double shift) {
       Crease_fit_options scaled = options;
@@ -154,15 +191,15 @@ public:
       const Crease crease = fit(start, start.point - shift * scaled.radius * start.tangent, scaled, previous);
       if (crease.deviation < best.deviation)
         best = crease;
-      return crease.residual > 1.2 * options.surface_noise;
+      return crease.residual > residual_inflation * options.surface_noise;
     };
     // a corner ahead does not show in the residual where the points err more
-    const bool tells_of_corners = options.surface_noise < 0.05;
-    for (double factor : {1.5, 1., 0.6, 0.4})
+    const bool tells_of_corners = options.surface_noise < least_noise_to_hide_corners;
+    for (double factor : radius_factors)
     {
       const bool may_show_more = try_ball(factor, 0.);
-      if (previous && factor > 0.5 && (may_show_more || !tells_of_corners))
-        try_ball(factor, 0.6);
+      if (previous && factor > least_factor_to_shift && (may_show_more || !tells_of_corners))
+        try_ball(factor, shift_back);
       if (!may_show_more)
         break;
     }
@@ -207,7 +244,7 @@ private:
         const double along = p.x * directions[k].first + p.y * directions[k].second;
         const double across = p.y * directions[k].first - p.x * directions[k].second;
         const double square = along > 0. ? across * across : p.x * p.x + p.y * p.y;
-        m_losses[k * stride + i] = p.weight * (std::min)(1., 4. * square);
+        m_losses[k * stride + i] = p.weight * (std::min)(1., square / (guess_reach * guess_reach));
       }
     double best = (std::numeric_limits<double>::infinity)();
     for (int j = 0; j < number_of_directions; ++j)
@@ -396,7 +433,8 @@ private:
     const Strips strips(q);
     const double surface_weight = 1. / (options.surface_noise * options.surface_noise);
     const double field_weight = 1. / (options.field_noise * options.field_noise);
-    const double per_scale = 1. / scale, per_field_scale = 1. / (std::max)(2.5 * options.field_noise, scale);
+    const double per_scale = 1. / scale,
+                 per_field_scale = 1. / (std::max)(exceeded_by_one_in_80 * options.field_noise, scale);
     for (const Sample& p : m_samples)
     {
       const Offset offset = locate(q, strips, p);
@@ -418,23 +456,24 @@ private:
       const double miss = offset.is_valid ? offset.across : distance;
       squares += p.weight * miss * miss;
       total += p.weight;
-      if (distance > 1e-9)
+      if (distance > on_curve)
       {
-        const double per_distance = 1. / (std::max)(distance, 0.05);
+        const double per_distance = 1. / (std::max)(distance, near_curve);
         const double e = p.distance - q[12] - distance;
         const double weight =
-          p.weight * field_weight * robust_weight(e * per_field_scale) / (1. + 0.5 * p.distance * p.distance);
+          p.weight * field_weight * robust_weight(e * per_field_scale) / growth_of_variance(p.distance);
         sums.apex.add(powers, offset.x * per_distance, offset.y * per_distance, weight, e);
         sums.add_bias(powers, offset.x * per_distance, offset.y * per_distance, weight, e);
       }
     }
     sums.assemble(hessian, gradient);
-    // expected sizes: of curvature and twist, and of the bias
-    static constexpr double deviations[size] = {0., 0., 0., 0., 0.12, 0.12, 0., 0., 0.08, 0.08, 0.06, 0.06, 0.};
+    static constexpr double b = bend_deviation, c = strip_deviation, t = twist_deviation;
+    static constexpr double deviations[size] = {0., 0., 0., 0., b, b, 0., 0., c, c, t, t, 0.};
     for (int k = 0; k < size; ++k)
     {
       const double deviation = k == 12 ? options.field_noise : deviations[k];
-      const double information = deviation > 0. ? 1. / (deviation * deviation) : 1e-3 + 1e-4 * hessian(k, k);
+      const double information =
+        deviation > 0. ? 1. / (deviation * deviation) : least_information + relative_information * hessian(k, k);
       hessian(k, k) += information;
       if (deviation > 0.)
         gradient[k] -= information * q[k];
@@ -451,10 +490,10 @@ private:
     {
       const Offset offset = locate(q, strips, p);
       const double distance = std::sqrt(offset.x * offset.x + offset.y * offset.y);
-      if (distance > 3. || std::abs(p.s) > 2.)
+      if (distance > residual_radius || std::abs(p.s) > residual_length)
         continue;
-      const double e = offset.is_valid ? offset.across : (std::min)(1., distance);
-      squares += p.weight * (std::min)(0.25, e * e);
+      const double e = offset.is_valid ? offset.across : distance;
+      squares += p.weight * (std::min)(worst_miss * worst_miss, e * e);
       total += p.weight;
     }
     crease.residual = total > 0. ? std::sqrt(squares / total) : 1.;

@@ -13,6 +13,7 @@
 
 #include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
+#include <CGAL/Wireframe_extraction/internal/base/error_rates.h>
 #include <CGAL/Wireframe_extraction/internal/field/Crease_fit.h>
 #include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
 #include <CGAL/Wireframe_extraction/internal/field/Traced_curve.h>
@@ -58,30 +59,60 @@ class Crease_tracer
   Crease_fit m_fit;
   std::vector<std::size_t> m_ball;
 
+  // Thresholds. Lengths are in sampling distances, angles in radians.
+
   static constexpr double step = 0.5;
-  static constexpr double longest_miss = 1.6; // without a crease, then the curve ends
-  static constexpr double longest_gap = 40.;  // on a crease which the field does not see
-  static constexpr std::size_t trail = 8;     // steps of the path that are no news to the front
+  // Without a crease, then the curve ends: three steps, for the ball of a fit reaches that far beyond a bad place.
+  static constexpr double longest_miss = 1.6;
+  // On a crease which the field does not see. Regressors miss whole edges, but hardly longer ones.
+  static constexpr double longest_gap = 40.;
+  // steps of the path that are no news to the front: 4 r, the radius of a fit
+  static constexpr std::size_t trail = 8;
+  // so many steps along another curve end this one: one or two may be a crossing
+  static constexpr std::size_t most_covered = 3;
+  // Two curves closer than that, and than the surface errs, are one: nearest neighbors of a curve's points, half of which
+  // lie on each side, are that far away.
+  static constexpr double least_reach = 0.4;
+  // how well a crease must be known to start from, in multiples of the field's noise: it must know more than the field
+  static constexpr double start_deviation = 0.8, least_start_deviation = 0.03;
+  // less is asked of what a crease leads to, which says where to look
+  static constexpr double next_deviation = 1.3, least_next_deviation = 0.05, least_next_fold = 0.3;
+  // A fold that shrinks faster than that from one step to the next is another one, or noise.
+  static constexpr double least_fold_ratio = 0.6;
+  // how far the next crease may be from where it was expected, beyond what both are known to
+  static constexpr double farthest_from_expected = 0.2;
+  // Cosines between the next tangent and what was expected (18 degrees), and the last one (22 degrees): a curve with a
+  // radius of 1.7 r turns by as much within a step.
+  static constexpr double least_cosine_to_expected = 0.95, least_cosine_to_last = 0.93;
+  static constexpr double largest_bend = 0.6; // per r, the same radius
+  // points around a crease, and the share of them that must lie on its strips, up to the surface's errors
+  static constexpr double holding_radius = 1.3, holding_tolerance = 0.1, least_held = 0.7;
+  // around a curve's point, where the field is asked whether it agrees; nearer points count for more
+  static constexpr double support_radius = 1.8, support_softness = 0.5;
+  // A closed curve is longer than that, and comes back to where it began up to this and the surface's errors.
+  static constexpr double least_closed_length = 5., closing_tolerance = 0.3;
+  // of the distances, in fits: so much that they do not count
+  static constexpr double ignored_field_noise = 100.;
 
 public:
   // `options.field_noise` is the noise of the field, which only decides where the field agrees
   Crease_tracer(const Field_band& band, const Crease_fit_options& options, const Traced_creases& traced)
     : m_band(band), m_options(options), m_field_noise(options.field_noise), m_traced(traced), m_fit(band)
   {
-    m_options.field_noise = 100.;
+    m_options.field_noise = ignored_field_noise;
   }
 
   // its position is known well enough, and the surface is folded there whatever the field says
   bool may_start(const Crease& crease) const
   {
-    return crease.deviation < (std::max)(0.03, 0.8 * m_field_noise) && crease.is_sharp();
+    return crease.deviation < (std::max)(least_start_deviation, start_deviation * m_field_noise) && crease.is_sharp();
   }
 
   // less is asked of what a crease leads to
   bool goes_on(const Crease& crease) const
   {
-    return crease.deviation < (std::max)(0.05, 1.3 * m_field_noise)
-      && crease.fold > (std::max)(0.3, 2.5 * crease.fold_deviation);
+    return crease.deviation < (std::max)(least_next_deviation, next_deviation * m_field_noise)
+      && crease.fold > (std::max)(least_next_fold, exceeded_by_one_in_80 * crease.fold_deviation);
   }
 
   bool is_traced(const Local_curve& front) const { return is_along(m_traced, front); }
@@ -153,7 +184,7 @@ public:
 
 private:
   // what runs closer to a curve is the same curve
-  double reach() const { return 0.4 + m_options.surface_noise; }
+  double reach() const { return least_reach + m_options.surface_noise; }
 
   // whether it came back to where it began
   bool follow(const Crease& start, Segment_grid& own, std::vector<Crease>& path, std::vector<Local_curve>& fronts)
@@ -176,7 +207,7 @@ private:
       {
         if (covered == 0)
           uncovered_size = path.size();
-        if (++covered == 3)
+        if (++covered == most_covered)
         {
           path.resize(uncovered_size); // steps that were not sure added nothing to it
           return false;
@@ -209,7 +240,9 @@ private:
         path.resize(supported);
         return false;
       }
-      if (length > 5. && has_returned(start.curve, predicted, step, 0.3 + 2. * m_options.surface_noise))
+      if (length > least_closed_length
+          && has_returned(start.curve, predicted, step,
+                          closing_tolerance + exceeded_by_one_in_22 * m_options.surface_noise))
         return true;
     }
     return false;
@@ -219,35 +252,36 @@ private:
   {
     best = m_fit.fit_with_best_radius(ahead, m_options, &from);
     best.curve.move_along_to(ahead.point);
-    if (best.curve.bend.norm() > 0.6)
-      best.curve.bend *= 0.6 / best.curve.bend.norm();
+    if (best.curve.bend.norm() > largest_bend)
+      best.curve.bend *= largest_bend / best.curve.bend.norm();
     best.is_traced = true;
-    return goes_on(best) && best.fold > 0.6 * from.fold
-      && (best.curve.point - ahead.point).norm() < 0.2 + 2. * (best.deviation + from.deviation)
-      && best.curve.tangent.dot(ahead.tangent) > 0.95 && best.curve.tangent.dot(from.curve.tangent) > 0.93
-      && is_held(best);
+    return goes_on(best) && best.fold > least_fold_ratio * from.fold
+      && (best.curve.point - ahead.point).norm()
+      < farthest_from_expected + exceeded_by_one_in_22 * (best.deviation + from.deviation)
+      && best.curve.tangent.dot(ahead.tangent) > least_cosine_to_expected
+      && best.curve.tangent.dot(from.curve.tangent) > least_cosine_to_last && is_held(best);
   }
 
   // whether the points around the crease's point lie on its strips
   bool is_held(const Crease& crease)
   {
-    m_band.search.query(crease.curve.point, 1.3, m_ball);
+    m_band.search.query(crease.curve.point, holding_radius, m_ball);
     std::size_t held = 0;
     for (std::size_t i : m_ball)
-      held += crease.holds(m_band.points[i], 0.1 + 2.5 * m_options.surface_noise);
-    return held > 0 && held >= 0.7 * m_ball.size();
+      held += crease.holds(m_band.points[i], holding_tolerance + exceeded_by_one_in_80 * m_options.surface_noise);
+    return held > 0 && held >= least_held * m_ball.size();
   }
 
   // whether the field agrees, near the curve's point
   bool is_supported(const Local_curve& curve)
   {
-    m_band.search.query(curve.point, 1.8, m_ball);
+    m_band.search.query(curve.point, support_radius, m_ball);
     double agreeing = 0., opposing = 0.;
     for (std::size_t i : m_ball)
     {
       const double distance = curve.distance(m_band.points[i]);
       const bool agrees = std::abs(m_band.distances[i] - distance) < agreement_tolerance(m_field_noise);
-      (agrees ? agreeing : opposing) += 1. / (0.5 + distance);
+      (agrees ? agreeing : opposing) += 1. / (support_softness + distance);
     }
     return agreeing > opposing;
   }

@@ -14,6 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/internal/base/Ball_search.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
+#include <CGAL/Wireframe_extraction/internal/base/error_rates.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -45,11 +46,25 @@ struct Field_band
   }
 };
 
-// how far a distance of this standard deviation may be from the one to a curve that it agrees with
-inline double agreement_tolerance(double deviation) { return (std::max)(0.2, 2.5 * deviation); }
+// How far a distance of this standard deviation may be from the one to a curve that it agrees with. Curves that are
+// traced on exact fields are off by up to a fifth of r where they bend or end.
+inline double agreement_tolerance(double deviation)
+{
+  static constexpr double least = 0.2;
+  return (std::max)(least, exceeded_by_one_in_80 * deviation);
+}
 
-// residuals beyond it belong to no curve, where the field's noise level is `noise`
-inline double residual_cutoff(double noise) { return (std::max)(0.5, 4. * noise); }
+// Residuals beyond it belong to no curve, where the field's noise level is `noise`: on exact fields, next to corners and
+// between curves half a sampling distance apart.
+inline double residual_cutoff(double noise)
+{
+  static constexpr double least = 0.5;
+  return (std::max)(least, exceeded_by_one_in_16000 * noise);
+}
+
+// By how much the variance of a field's errors grows with the distance from the feature, for the weights of fits: twice as
+// large at 1.4 r.
+inline double growth_of_variance(double distance) { return 1. + distance * distance / 2.; }
 
 } // namespace internal
 } // namespace Wireframe_extraction

@@ -13,6 +13,7 @@
 
 #include <CGAL/Wireframe_extraction/internal/base/Ball_search.h>
 #include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
+#include <CGAL/Wireframe_extraction/internal/base/error_rates.h>
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
 #include <CGAL/Wireframe_extraction/internal/field/Contraction.h>
@@ -46,6 +47,41 @@ class Field_refinement
   std::size_t m_number_of_traces = 0;
   std::vector<Traced_curve> m_curves; // along creases
 
+  // Thresholds. Lengths are in sampling distances, angles in radians.
+
+  // A crease counts if its position is known better than that, in multiples of the field's noise: else it adds nothing.
+  static constexpr double good_deviation = 0.8;
+  // it speaks for the points up to so far along it: beyond, the next ones do
+  static constexpr double crease_length = 1.5;
+  // a curve along creases goes through all of its points, so that the nearest of its creases is nearer
+  static constexpr double traced_share = 0.5;
+  // how far points lie from the strips to which they belong, beyond the surface's errors
+  static constexpr double strip_tolerance = 0.2;
+  // by how much of itself a distance errs beside the noise at the feature: regressors err more far from it
+  static constexpr double relative_noise = 0.3;
+  // variance of what creases say that are known better than that: they are no parabolas
+  static constexpr double least_variance = 0.02;
+  // Folds above are no mere effect of noise; larger ones than `clear_fold`, 29 degrees, however little is known.
+  static constexpr double noise_fold = 0.05, clear_fold = 0.5;
+  // distances up to which the surface may know more than the field: farther, no stage asks
+  static constexpr double known_distance = 3.;
+  // the new distance of points that are near no feature
+  static constexpr double nowhere = 10.;
+  // around a point, where creases were looked for, and how badly they may fit where the surface is flat
+  static constexpr double flat_radius = 1.5, flat_residual = 0.05;
+  // Of a curve along creases. Shorter ones end within the ball of the fit that they start from.
+  static constexpr double least_length = 3.;
+  // the share of it with which the field must agree: a crease the field denies for the most part is a ridge of noise
+  static constexpr double least_support = 0.3;
+  // seeds that are followed at the same time lie that far apart, most of them on different curves
+  static constexpr double far_apart = 30.;
+  // The surface's noise is measured from so many fits, twice, since they need it themselves; points are never better.
+  static constexpr std::size_t most_noise_fits = 500;
+  static constexpr double first_surface_noise = 0.1, least_surface_noise = 0.01;
+  // Feet closer than this many times the surface's noise show the same crease, and the farthest that may.
+  static constexpr double largest_spacing = 0.7;
+  static constexpr double least_cosine = 0.9; // of 26 degrees, between curves that may be the same
+
   struct Average
   {
     double sum = 0., total = 0., squares = 0., count = 0.;
@@ -67,7 +103,7 @@ public:
     : m_band(band), m_contraction(contraction)
   {
     m_options.radius = radius;
-    m_options.field_noise = (std::max)(0.03, contraction.noise);
+    m_options.field_noise = (std::max)(Contraction::least_noise, contraction.noise);
   }
 
   // `proceed(share)` returns whether to go on; this returns whether it did
@@ -121,7 +157,7 @@ public:
         for (std::size_t n = begin; n < end; ++n)
         {
           const std::size_t i = order[n];
-          search.query(m_band.points[i], (std::min)(3., m_band.distances[i]) + 1.5, found);
+          search.query(m_band.points[i], (std::min)(known_distance, m_band.distances[i]) + crease_length, found);
           for (std::size_t& k : found)
             k = good[k];
           const Estimate estimate = estimate_at(i, found);
@@ -143,7 +179,6 @@ private:
   // what good creases nearby say of a point of the band; `creases` is used for more
   Estimate estimate_at(std::size_t i, std::vector<std::size_t>& creases) const
   {
-    static constexpr double nowhere = 10.;
     const Vector& point = m_band.points[i];
     const double field = m_band.distances[i];
     Average any, strong;
@@ -152,51 +187,53 @@ private:
     for (std::size_t k : creases)
     {
       const Crease& crease = m_creases[k];
-      const double s = crease.curve.parameter(point) / 1.5;
-      if (std::abs(s) >= 1. || !crease.holds(point, 0.2 + 3. * m_options.surface_noise))
+      const double s = crease.curve.parameter(point) / crease_length;
+      if (std::abs(s) >= 1. || !crease.holds(point, strip_tolerance + exceeded_by_one_in_370 * m_options.surface_noise))
         continue;
       const double distance = crease.curve.distance(point);
-      if (crease.is_traced && std::abs(s) < 0.5 && distance < nearest)
+      if (crease.is_traced && std::abs(s) < traced_share && distance < nearest)
       {
         nearest = distance;
         deviation_of_nearest = crease.deviation;
       }
-      const double ratio = (distance - field) / (3. * m_options.field_noise * (1. + 0.3 * distance));
+      const double ratio =
+        (distance - field) / (exceeded_by_one_in_370 * m_options.field_noise * (1. + relative_noise * distance));
       if (std::abs(ratio) >= 1.)
         continue;
-      const double weight = (1. - s * s) * (1. - ratio * ratio) / (0.02 + crease.deviation * crease.deviation);
+      const double weight =
+        (1. - s * s) * (1. - ratio * ratio) / (least_variance + crease.deviation * crease.deviation);
       any.add(distance, crease.deviation, weight);
-      is_on_crease |= crease.fold > (std::min)(0.5, least_fold(crease));
+      is_on_crease |= crease.fold > (std::min)(clear_fold, least_fold(crease));
       if (is_strong(crease))
         strong.add(distance, crease.deviation, weight);
     }
-    is_on_crease |= strong.total > 0. || nearest < 3.;
+    is_on_crease |= strong.total > 0. || nearest < known_distance;
     if (strong.total > 0.)
       return {strong.mean(), strong.deviation(), is_on_crease};
     if (nearest < nowhere)
       return {nearest, deviation_of_nearest, is_on_crease};
     if (any.total > 0.)
       return {any.mean(), any.deviation(), is_on_crease};
-    if (field < 3. && is_flat_around(i, creases))
+    if (field < known_distance && is_flat_around(i, creases))
       return {nowhere, 0., is_on_crease};
-    return {field, m_options.field_noise * (1. + 0.3 * field), is_on_crease};
+    return {field, m_options.field_noise * (1. + relative_noise * field), is_on_crease};
   }
 
-  bool is_good(const Crease& crease) const { return crease.deviation < 0.8 * m_options.field_noise; }
+  bool is_good(const Crease& crease) const { return crease.deviation < good_deviation * m_options.field_noise; }
 
   // whether the surface has no crease where the field wants one
   bool is_flat_around(std::size_t i, std::vector<std::size_t>& found) const
   {
-    m_search.query(m_band.points[i], 1.5, found);
+    m_search.query(m_band.points[i], flat_radius, found);
     std::size_t flat = 0;
     for (std::size_t k : found)
-      flat += m_creases[k].fold < (std::min)(0.5, least_fold(m_creases[k]))
-        && m_creases[k].residual < 2. * m_options.surface_noise + 0.05;
+      flat += m_creases[k].fold < (std::min)(clear_fold, least_fold(m_creases[k]))
+        && m_creases[k].residual < exceeded_by_one_in_22 * m_options.surface_noise + flat_residual;
     return 2 * flat > found.size();
   }
 
   // what is no mere effect of noise
-  static double least_fold(const Crease& crease) { return 0.05 + 2.5 * crease.fold_deviation; }
+  static double least_fold(const Crease& crease) { return noise_fold + exceeded_by_one_in_80 * crease.fold_deviation; }
 
   // it is there whatever the field says
   bool is_strong(const Crease& crease) const { return is_good(crease) && crease.is_sharp(); }
@@ -268,14 +305,13 @@ private:
   std::vector<std::size_t> seeds_far_apart(const std::vector<std::size_t>& seeds, std::size_t begin,
                                            std::size_t& end) const
   {
-    static constexpr double least_distance = 30.;
     const std::size_t most = concurrency();
     std::vector<std::size_t> chosen;
     for (end = begin; end < seeds.size() && chosen.size() < most; ++end)
     {
       const Local_curve& seed = m_creases[seeds[end]].curve;
       const bool is_far = std::all_of(chosen.begin(), chosen.end(), [&](std::size_t i) {
-        return (m_creases[i].curve.point - seed.point).norm() > least_distance;
+        return (m_creases[i].curve.point - seed.point).norm() > far_apart;
       });
       if (is_far && !is_done(seed))
         chosen.push_back(seeds[end]);
@@ -287,7 +323,7 @@ private:
   {
     Crease_tracer tracer = this->tracer();
     const Traced_curve curve = tracer.curve_along(path);
-    if (curve.length() < 3. || tracer.share_of_support(curve.points) < 0.3)
+    if (curve.length() < least_length || tracer.share_of_support(curve.points) < least_support)
     {
       m_rejected.add(curve.points); // from other seeds along it, the same would come about
       return;
@@ -301,10 +337,9 @@ private:
 
   void estimate_surface_noise()
   {
-    static constexpr std::size_t most = 500;
-    const std::size_t count = (std::min)(most, m_contraction.curves.size());
+    const std::size_t count = (std::min)(most_noise_fits, m_contraction.curves.size());
     Crease_fit fit(m_band);
-    m_options.surface_noise = 0.1;
+    m_options.surface_noise = first_surface_noise;
     for (int round = 0; round < 2; ++round)
     {
       std::vector<double> residuals;
@@ -313,7 +348,7 @@ private:
         const Local_curve& curve = m_contraction.curves[k * m_contraction.curves.size() / count];
         residuals.push_back(fit.fit(curve, curve.point, m_options).residual);
       }
-      m_options.surface_noise = (std::max)(0.01, median(residuals));
+      m_options.surface_noise = (std::max)(least_surface_noise, median(residuals));
     }
   }
 
@@ -321,7 +356,7 @@ private:
   // of them will do, that with the best fit.
   void choose_places()
   {
-    const double spacing = (std::min)(0.7, 3. * m_options.surface_noise);
+    const double spacing = (std::min)(largest_spacing, exceeded_by_one_in_370 * m_options.surface_noise);
     const std::vector<Local_curve>& curves = m_contraction.curves;
     std::vector<Vector> feet;
     for (const Local_curve& curve : curves)
@@ -341,7 +376,7 @@ private:
       m_places.push_back(i);
       search.query(feet[i], spacing, found);
       for (std::size_t j : found)
-        is_covered[j] |= std::abs(curves[i].tangent.dot(curves[j].tangent)) > 0.9;
+        is_covered[j] |= std::abs(curves[i].tangent.dot(curves[j].tangent)) > least_cosine;
       is_covered[i] = 1;
     }
     std::sort(m_places.begin(), m_places.end());

@@ -32,9 +32,9 @@ namespace internal {
 struct Local_fit_options
 {
   double radius = 4.;          // of the ball the points come from
-  double scale = 0.3;          // residuals well above it count as outliers
-  double bend_deviation = 0.2; // expected size of the curvature
-  int iterations = 8;
+  double scale = 0.3;          // residuals well above it count as outliers: about the noise of a regressor
+  double bend_deviation = 0.2; // expected size of the curvature, per r: of a circle with a radius of 5 r
+  int iterations = 8;          // at most; the scale of outliers reaches its end after three
 };
 
 // Fits a local curve to the field: the distances of the points to the curve shall be the field's values.
@@ -52,6 +52,30 @@ class Local_curve_fit
   Vector m_center = Vector::Zero();
   double m_radius = -1.;
   std::vector<Sample> m_samples; // of the ball, for a fit
+
+  // Thresholds. Lengths are in sampling distances.
+
+  // The scale above which residuals count as outliers starts where the first guess may be off, and shrinks.
+  static constexpr double first_scale = 1.2, shrinking = 0.6;
+  // steps beyond `longest_step` leave what the linearisation knows; those below `settled_step` change nothing
+  static constexpr double longest_step = 1., settled_step = 1e-4;
+  // On the curve itself, the direction to it is undefined: nearer than that, it counts for less, and in the end not.
+  static constexpr double near_curve = 0.05, on_curve = 1e-9;
+  // keeps the equations solvable where no point tells
+  static constexpr double least_damping = 1e-3, relative_damping = 0.5e-3;
+  // Balls are tried from large to small: large ones average more noise away, small ones follow small features.
+  static constexpr int number_of_radii = 4;
+  static constexpr double radius_factors[number_of_radii] = {1.6, 1., 0.6, 0.4};
+  // A residual that needs no smaller ball, twice that of exact fields; and how much larger than the best one that of the
+  // largest ball may be, by chance: residuals of a dozen points are known to a third.
+  static constexpr double good_enough = 0.02, most_above_best = 1.35;
+  // of a curve that too few points agree with, and the most that a single point counts for
+  static constexpr double worst_residual = 1.;
+  static constexpr std::size_t least_points = 4;
+  // of the ball in which residuals are taken
+  static constexpr double residual_radius = 2.;
+  // variance of distances that are known better than that: curves are no parabolas
+  static constexpr double least_variance = 0.01;
 
 public:
   explicit Local_curve_fit(const Field_band& band) : m_band(band) {}
@@ -100,9 +124,9 @@ public:
     for (int k = 0; k < options.iterations; ++k)
     {
       // the outliers leave gradually, or the first guess would decide alone
-      const double scale = (std::max)(options.scale, 1.2 * std::pow(0.6, k));
+      const double scale = (std::max)(options.scale, first_scale * std::pow(shrinking, k));
       curve.move_along_to(center);
-      if (step(curve, options, scale) < 1e-4 && scale == options.scale)
+      if (step(curve, options, scale) < settled_step && scale == options.scale)
         break;
     }
     curve.move_along_to(center);
@@ -115,7 +139,7 @@ public:
     for (int k = 0; k < options.iterations; ++k)
     {
       curve.move_along_to(center);
-      if (step(curve, options, options.scale) < 1e-4)
+      if (step(curve, options, options.scale) < settled_step)
         break;
     }
   }
@@ -125,22 +149,20 @@ public:
   template <class Refine>
   double refine_with_best_radius(Local_curve& curve, const Local_fit_options& options, const Refine& refine_one)
   {
-    static constexpr double factors[] = {1.6, 1., 0.6, 0.4};
-    static constexpr double good_enough = 0.02; // whatever the others are
-    Local_curve fits[4];
-    double residuals[4], best = 1.;
-    for (int k = 0; k < 4 && (k == 0 || residuals[0] > good_enough); ++k)
+    Local_curve fits[number_of_radii];
+    double residuals[number_of_radii], best = worst_residual;
+    for (int k = 0; k < number_of_radii && (k == 0 || residuals[0] > good_enough); ++k)
     {
       fits[k] = curve;
       Local_fit_options scaled = options;
-      scaled.radius *= factors[k];
+      scaled.radius *= radius_factors[k];
       refine_one(fits[k], scaled);
       // too few points agree with any curve
-      residuals[k] = m_ball.size() < 4 ? 1. : residual(fits[k], fits[k].point, 2.);
+      residuals[k] = m_ball.size() < least_points ? worst_residual : residual(fits[k], fits[k].point, residual_radius);
       best = (std::min)(best, residuals[k]);
     }
     int chosen = 0;
-    while (residuals[chosen] > 1.35 * best + good_enough)
+    while (residuals[chosen] > most_above_best * best + good_enough)
       ++chosen;
     curve = fits[chosen];
     return residuals[chosen];
@@ -153,12 +175,13 @@ public:
     double sum = 0., total = 0.;
     for (std::size_t i : m_ball)
     {
-      const double weight = field_weight(m_band.distances[i]) / (0.01 + std::pow(m_band.deviation(i, 0.), 2));
+      const double weight =
+        1. / growth_of_variance(m_band.distances[i]) / (least_variance + std::pow(m_band.deviation(i, 0.), 2));
       const double e = m_band.distances[i] - curve.distance(m_band.points[i]);
-      sum += weight * (std::min)(1., e * e);
+      sum += weight * (std::min)(worst_residual * worst_residual, e * e);
       total += weight;
     }
-    return total > 0. ? std::sqrt(sum / total) : 1.;
+    return total > 0. ? std::sqrt(sum / total) : worst_residual;
   }
 
 private:
@@ -182,13 +205,10 @@ private:
     query(center, radius);
     m_samples.clear();
     for (std::size_t i : m_ball)
-      m_samples.push_back(
-        {m_band.points[i], m_band.distances[i], m_band.deviation(i, 0.),
-         field_weight(m_band.distances[i]) * kernel((m_band.points[i] - center).squaredNorm() / (radius * radius))});
+      m_samples.push_back({m_band.points[i], m_band.distances[i], m_band.deviation(i, 0.),
+                           1. / growth_of_variance(m_band.distances[i])
+                             * kernel((m_band.points[i] - center).squaredNorm() / (radius * radius))});
   }
-
-  // the field errs more the farther from the feature
-  static double field_weight(double d) { return 1. / (1. + d * d / 2.); }
 
   double step(Local_curve& curve, const Local_fit_options& options, double scale) const
   {
@@ -207,14 +227,14 @@ private:
       const double x = offset.dot(normal) - 0.5 * square * bend_x;
       const double y = offset.dot(binormal) - 0.5 * square * bend_y;
       const double distance = std::sqrt(x * x + y * y);
-      if (distance < 1e-9)
+      if (distance < on_curve)
         continue;
       const double e = sample.distance - distance;
-      const double own_scale = (std::max)(scale, 2. * sample.deviation);
+      const double own_scale = (std::max)(scale, exceeded_by_one_in_22 * sample.deviation);
       const double ratio = e / own_scale, worth = scale / own_scale, spread = 1. + ratio * ratio;
       const double weight = sample.weight * worth * worth / (spread * spread);
       // on the curve itself, the direction to it is undefined
-      const double per_distance = 1. / (std::max)(distance, 0.05);
+      const double per_distance = 1. / (std::max)(distance, near_curve);
       const double powers[5] = {1., s, square, square * s, square * square};
       sums.add(powers, x * per_distance, y * per_distance, weight, e);
     }
@@ -228,13 +248,13 @@ private:
     // the same for both normals, since their directions are arbitrary
     for (int k = 0; k < 6; k += 2)
     {
-      const double damping = 1e-3 + 0.5e-3 * (hessian(k, k) + hessian(k + 1, k + 1));
+      const double damping = least_damping + relative_damping * (hessian(k, k) + hessian(k + 1, k + 1));
       hessian(k, k) += damping;
       hessian(k + 1, k + 1) += damping;
     }
     const Vector6 delta = Symmetric_factorization(hessian).solved(gradient);
     const double length = delta.head<2>().norm();
-    const double shrink = length > 1. ? 1. / length : 1.;
+    const double shrink = length > longest_step ? longest_step / length : 1.;
     curve.point += shrink * (delta(0) * normal + delta(1) * binormal);
     curve.bend += shrink * (delta(4) * normal + delta(5) * binormal);
     curve.tangent = (curve.tangent + shrink * (delta(2) * normal + delta(3) * binormal)).normalized();

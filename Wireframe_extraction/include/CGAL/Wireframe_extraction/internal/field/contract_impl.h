@@ -29,6 +29,26 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
+// The sign of an eigenvector is arbitrary: the first point of the ball that is clearly on one side decides which way a
+// curve goes.
+inline void orient(Local_curve& curve, const Field_band& band, const std::vector<std::size_t>& ball)
+{
+  static constexpr double clear_side = 0.5; // r, so that rounding does not decide
+  double side = 0.;
+  std::size_t first = band.size();
+  for (std::size_t j : ball)
+  {
+    const double s = curve.parameter(band.points[j]);
+    if (std::abs(s) > clear_side && j < first)
+    {
+      first = j;
+      side = s;
+    }
+  }
+  if (side < 0.)
+    curve.tangent = -curve.tangent;
+}
+
 CGAL_WIREFRAME_EXTRACTION_INLINE bool contract(const Field_band& band, double radius,
                                                const std::function<bool(double)>& proceed, Contraction& result)
 {
@@ -50,20 +70,7 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool contract(const Field_band& band, double ra
                                                           [&](Local_curve& curve, const Local_fit_options& scaled) {
                                                             curve = fit.principal_axis(band.points[i], scaled.radius);
                                                             fit.refine(curve, band.points[i], scaled);
-                                                            // the sign of an eigenvector is arbitrary: the first point of the ball that is clearly on one side decides
-                                                            double side = 0.;
-                                                            std::size_t first = band.size();
-                                                            for (std::size_t j : fit.ball())
-                                                            {
-                                                              const double s = curve.parameter(band.points[j]);
-                                                              if (std::abs(s) > 0.5 && j < first)
-                                                              {
-                                                                first = j;
-                                                                side = s;
-                                                              }
-                                                            }
-                                                            if (side < 0.)
-                                                              curve.tangent = -curve.tangent;
+                                                            orient(curve, band, fit.ball());
                                                           });
       }
     },

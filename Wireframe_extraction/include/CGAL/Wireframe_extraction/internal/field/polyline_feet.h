@@ -63,7 +63,8 @@ void visit_feet(const Field_band& band, std::size_t curve, const std::vector<Vec
     Vector from, direction;
     double per_square;
   };
-  static constexpr double longest_run = 4.;
+  static constexpr double longest_run = 4.; // r, as the radius of the ball around it: longer ones hold points in vain
+  static constexpr double rounding = 1e-9;
   std::vector<std::size_t> ball;
   std::vector<Segment> run;
   std::size_t end = 0;
@@ -91,7 +92,7 @@ void visit_feet(const Field_band& band, std::size_t curve, const std::vector<Vec
       const Vector center =
         pieces == 1 ? Vector(0.5 * (low + high)) : Vector(polyline[begin] + 0.5 * (first + last) * run[0].direction);
       const double half = pieces == 1 ? 0.5 * (high - low).norm() : 0.5 * length / double(pieces);
-      band.search.query(center, radius + half + 1e-9, ball);
+      band.search.query(center, radius + half + rounding, ball);
       for (std::size_t i : ball)
       {
         double best = radius * radius, share = 0.;
@@ -147,7 +148,11 @@ inline std::vector<Polyline_foot> nearest_feet(const Field_band& band,
 
 // Whether a foot is an end of the polyline. Where that is open, points beyond it have their feet there, which say
 // nothing of where the curve runs, and other curves may meet.
-inline bool is_at_end(double arc_length, double length) { return arc_length < 1e-6 || arc_length > length - 1e-6; }
+inline bool is_at_end(double arc_length, double length)
+{
+  static constexpr double rounding = 1e-6; // of sums over thousands of segments
+  return arc_length < rounding || arc_length > length - rounding;
+}
 
 inline std::vector<const std::vector<Vector>*> pointers_to(const std::vector<std::vector<Vector>>& polylines)
 {

@@ -55,6 +55,10 @@ public:
   bool holds(const Vector& p) const { return m_cells.count(key(p, 0, 0, 0)) > 0; }
 };
 
+// How far around the skeleton the surface is looked at, in radii of fits: a crease that is traced to where the field does
+// not see it leaves the skeleton, and the ball of its fit reaches one radius farther.
+constexpr double reach_of_surroundings = 2.;
+
 // Positions farther than that from the features belong to no shape: scanners write such points where they saw nothing.
 constexpr double farthest_in_units = 1e9;
 
@@ -116,7 +120,7 @@ CGAL_WIREFRAME_EXTRACTION_INLINE void select_surroundings(const Surveyed_cloud& 
 {
   auto surroundings = std::make_shared<Field_band>();
   const Field_band& band = *skeleton.band;
-  Neighborhood_cells cells(2. * options.fitting_radius);
+  Neighborhood_cells cells(reach_of_surroundings * options.fitting_radius);
   for (std::size_t i = 0; i < band.skeleton_size; ++i)
     cells.add(band.points[i]);
   cloud.for_each([&](const Vector& position, double distance, std::size_t index) {
