@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_SPLINE_NETWORK_FIT_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_SPLINE_NETWORK_FIT_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
@@ -27,9 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <map>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -48,14 +47,13 @@ class Spline_network_fit
 
   class Stop_on_cancel : public ceres::IterationCallback
   {
-    const std::function<bool(double)>& m_proceed;
-    double m_share;
+    Progress& m_progress;
 
   public:
-    Stop_on_cancel(const std::function<bool(double)>& proceed, double share) : m_proceed(proceed), m_share(share) {}
+    explicit Stop_on_cancel(Progress& progress) : m_progress(progress) {}
     ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override
     {
-      if (m_proceed(m_share))
+      if (m_progress.goes_on())
         return ceres::SOLVER_CONTINUE;
       return ceres::SOLVER_ABORT;
     }
@@ -84,26 +82,27 @@ public:
   const std::vector<Vector>& vertices() const { return m_vertices; }
   const std::vector<Fitted_curve>& curves() const { return m_curves; }
 
-  // returns whether it was not cancelled
-  bool run(const std::function<bool(double)>& proceed)
+  // Returns whether it was not cancelled. Otherwise the curves are as far as the fit had come, without residuals.
+  bool run(Progress& progress)
   {
     for (Fitted_curve& curve : m_curves)
-      initialize(curve);
+      initialize(curve, progress);
     const int rounds = (std::max)(1, m_options.number_of_rounds);
-    bool is_complete = true;
-    for (int round = 0; round < rounds && is_complete; ++round)
+    for (int round = 0; round < rounds; ++round)
     {
-      find_support();
+      if (!progress.reach(double(round) / rounds) || !find_support(progress))
+        return false;
       if (round > 0 && m_options.adapt_knots)
         add_knots();
-      const double share = double(round) / rounds;
       // the loss narrows while the curves approach
       const double scale = (0.05 + 1.5 * m_noise) * (round + 1 < rounds ? 2. : 1.);
-      is_complete = solve(scale, proceed, share);
+      if (!solve(scale, progress))
+        return false;
     }
-    find_support();
+    if (!find_support(progress))
+      return false;
     measure();
-    return is_complete;
+    return true;
   }
 
 private:
@@ -140,8 +139,8 @@ private:
     return breaks;
   }
 
-  // a spline through the path, with knots where the path asks for them
-  void initialize(Fitted_curve& curve) const
+  // a spline through the path, with knots where the path asks for them; after cancelling, as if it asked for none
+  void initialize(Fitted_curve& curve, Progress& progress) const
   {
     // they may become breakpoints, which must increase
     const std::vector<double> s = arc_lengths(curve.path, 1e-9);
@@ -156,7 +155,7 @@ private:
     {
       curve.spline = Cubic_spline(breaks, is_periodic);
       curve.spline.interpolate(parameters, positions);
-      if (!m_options.adapt_knots)
+      if (!m_options.adapt_knots || !progress.goes_on())
         return;
       std::vector<double> worst(breaks.size() - 1, 0.);
       for (std::size_t i = 0; i < parameters.size(); ++i)
@@ -173,8 +172,8 @@ private:
     }
   }
 
-  // the points that lie near the curves, each with the nearest curve and its foot there
-  void find_support()
+  // the points that lie near the curves, each with the nearest curve and its foot there; returns whether to go on
+  bool find_support(Progress& progress)
   {
     std::vector<std::vector<Vector>> polylines(m_curves.size());
     std::vector<std::vector<double>> parameters(m_curves.size());
@@ -190,19 +189,24 @@ private:
       }
     }
     const std::vector<Polyline_foot> feet =
-      nearest_feet(m_band, pointers_to(polylines), m_options.support_distance + 1.);
+      nearest_feet(m_band, pointers_to(polylines), m_options.support_distance + 1., &progress);
+    if (!progress.goes_on())
+      return false;
     m_support.clear();
     for (std::size_t i = 0; i < m_band.size(); ++i)
       if (feet[i].is_valid())
         m_support.push_back({i, feet[i].curve, 0.});
-    for_each_piece(m_support.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k)
-      {
-        Support& s = m_support[k];
-        const Polyline_foot& foot = feet[s.point];
-        s.parameter = m_curves[s.curve].spline.foot(m_band.points[s.point], foot.interpolate(parameters[s.curve]));
-      }
-    });
+    return for_each_piece_or_cancel(
+      m_support.size(),
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+        {
+          Support& s = m_support[k];
+          const Polyline_foot& foot = feet[s.point];
+          s.parameter = m_curves[s.curve].spline.foot(m_band.points[s.point], foot.interpolate(parameters[s.curve]));
+        }
+      },
+      [&](double) { return progress.goes_on(); });
   }
 
   double residual(const Support& s) const
@@ -288,7 +292,7 @@ private:
   }
 
   // Curves that share no vertex do not know of each other: their problems are solved apart, at the same time.
-  bool solve(double scale, const std::function<bool(double)>& proceed, double share)
+  bool solve(double scale, Progress& progress)
   {
     const std::vector<std::vector<std::size_t>> parts = connected_curves();
     std::vector<std::vector<std::size_t>> supports(parts.size());
@@ -298,20 +302,14 @@ private:
         part_of_curve[c] = part;
     for (std::size_t i = 0; i < m_support.size(); ++i)
       supports[part_of_curve[m_support[i].curve]].push_back(i);
-    std::mutex mutex;
-    bool goes_on = true;
-    const std::function<bool(double)> ask = [&](double done) {
-      const std::lock_guard<std::mutex> lock(mutex);
-      return goes_on = goes_on && proceed(done);
-    };
     for_each_piece(
       parts.size(),
       [&](std::size_t begin, std::size_t end) {
-        for (std::size_t part = begin; part < end; ++part)
-          solve(parts[part], supports[part], scale, ask, share);
+        for (std::size_t part = begin; part < end && progress.goes_on(); ++part)
+          solve(parts[part], supports[part], scale, progress);
       },
       1);
-    return goes_on;
+    return !progress.is_cancelled();
   }
 
   // the parts of the network, each by its curves
@@ -357,9 +355,9 @@ private:
 
   // the problem of some curves that share vertices with no others
   void solve(const std::vector<std::size_t>& curves, const std::vector<std::size_t>& support, double scale,
-             const std::function<bool(double)>& proceed, double share)
+             Progress& progress)
   {
-    Span_preparer spans;
+    Span_preparer spans(progress);
     ceres::Problem::Options problem_options;
     problem_options.evaluation_callback = &spans;
     ceres::Problem problem(problem_options);
@@ -382,7 +380,7 @@ private:
       kept_vertices.push_back(m_vertices[v]);
     for (std::size_t c : curves)
       kept_points.push_back(m_curves[c].spline.points());
-    Stop_on_cancel stop(proceed, share);
+    Stop_on_cancel stop(progress);
     ceres::Solver::Options options = solver_options(12, 1e-5);
     options.callbacks.push_back(&stop);
     ceres::Solver::Summary summary;

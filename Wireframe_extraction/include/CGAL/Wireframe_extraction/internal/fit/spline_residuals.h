@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_SPLINE_RESIDUALS_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_SPLINE_RESIDUALS_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/Symmetric_factorization.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
@@ -179,12 +180,15 @@ private:
   }
 };
 
-// Prepares the residuals of all spans when the solver has moved the control points.
+// Prepares the residuals of all spans when the solver has moved the control points. After cancelling they stay as they
+// are: the solver ends soon.
 class Span_preparer : public ceres::EvaluationCallback
 {
   std::vector<Span_residual*> m_spans;
+  Progress& m_progress;
 
 public:
+  explicit Span_preparer(Progress& progress) : m_progress(progress) {}
   void add(Span_residual* span) { m_spans.push_back(span); }
 
   void PrepareForEvaluation(bool evaluate_jacobians, bool) override
@@ -192,7 +196,7 @@ public:
     for_each_piece(
       m_spans.size(),
       [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k)
+        for (std::size_t k = begin; k < end && !m_progress.is_cancelled(); ++k)
           m_spans[k]->prepare(evaluate_jacobians);
       },
       4);

@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CURVE_TRACER_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CURVE_TRACER_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
@@ -37,6 +38,7 @@ class Curve_tracer
   Tracing_options m_options;
   Local_curve_fit m_fit;
   const Field_explanation* m_explanation; // by other curves
+  Progress* m_progress;                   // may stop a curve on its way
   std::vector<std::size_t> m_ball;
   Segment_grid m_traced;
   std::size_t m_number_of_traced = 0;
@@ -44,6 +46,7 @@ class Curve_tracer
 
   static constexpr std::size_t trail = 10; // points of the path that are no news to the front
 
+public:
   enum Evidence
   {
     SUPPORT,
@@ -51,9 +54,9 @@ class Curve_tracer
     CONTRADICTION
   };
 
-public:
-  Curve_tracer(const Field_band& band, const Tracing_options& options, const Field_explanation* explanation = nullptr)
-    : m_band(band), m_options(options), m_fit(band), m_explanation(explanation)
+  Curve_tracer(const Field_band& band, const Tracing_options& options, const Field_explanation* explanation = nullptr,
+               Progress* progress = nullptr)
+    : m_band(band), m_options(options), m_fit(band), m_explanation(explanation), m_progress(progress)
   {}
 
   Traced_curve trace(const Local_curve& seed)
@@ -81,7 +84,7 @@ public:
     return curve;
   }
 
-  // Follows the field beyond the ends of an open curve that was kept as number `index`.
+  // Follows the field beyond the ends of an open curve that was kept as number `index`, and keeps what it adds.
   void extend(Traced_curve& curve, std::size_t index)
   {
     m_extended = index;
@@ -98,7 +101,9 @@ public:
       bool ends_in_void;
       if (follow(curve.tips[e], own, path, curve.residuals, tip, ends_in_void) || path.empty())
         continue;
-      points.insert(points.end(), path.begin(), path.end());
+      path.insert(path.begin(), points.back());
+      m_traced.add(index, path);
+      points.insert(points.end(), path.begin() + 1, path.end());
       if (e == 0)
         std::reverse(points.begin(), points.end());
       curve.points = points;
@@ -162,8 +167,12 @@ private:
     options.scale = m_options.fit_scale();
     options.iterations = 3;
     const std::size_t most = 10 + 4 * m_band.size();
-    while (path.size() < most)
+    // a step takes some tens of microseconds
+    static constexpr std::size_t steps_between_questions = 16;
+    for (std::size_t steps = 0; path.size() < most; ++steps)
     {
+      if (steps % steps_between_questions == 0 && !goes_on(m_progress))
+        break;
       const Local_curve predicted = front.ahead(m_options.step);
       Local_curve next = predicted;
       const double residual = refine_at_front(next, predicted.point, options);

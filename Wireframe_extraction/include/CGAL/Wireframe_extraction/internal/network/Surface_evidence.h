@@ -11,6 +11,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SURFACE_EVIDENCE_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SURFACE_EVIDENCE_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/Symmetric_factorization.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
 #include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
@@ -55,6 +56,7 @@ class Surface_evidence
   };
 
   const Field_band& m_surroundings;
+  Progress* m_progress;
 
   static constexpr double reach = 3., window_length = 3.;
   static constexpr std::size_t least_samples = 10;
@@ -70,24 +72,27 @@ public:
   };
 
   // `surroundings` has points up to a distance of `reach` from all curves
-  explicit Surface_evidence(const Field_band& surroundings) : m_surroundings(surroundings) {}
+  explicit Surface_evidence(const Field_band& surroundings, Progress* progress = nullptr)
+    : m_surroundings(surroundings), m_progress(progress)
+  {}
 
-  // of the polylines that are not null
+  // of the polylines that are not null; after cancelling, nothing is known
   std::vector<Fold> folds(const std::vector<const std::vector<Vector>*>& polylines) const
   {
     std::vector<std::vector<Window>> windows = collect(polylines);
     std::vector<double> residuals;
-    for (std::vector<Window>& curve : windows)
-      for (Window& window : curve)
+    for (std::size_t c = 0; c < windows.size() && goes_on(m_progress); ++c)
+      for (Window& window : windows[c])
         if (fit(window, 0.))
           residuals.push_back(window.residual);
-    std::vector<Fold> result(polylines.size());
+    const std::vector<Fold> unknown(polylines.size());
     if (residuals.empty())
-      return result;
+      return unknown;
+    std::vector<Fold> result = unknown;
     const double noise = (std::max)(0.01, median(residuals));
-    for (std::size_t c = 0; c < windows.size(); ++c)
+    for (std::size_t c = 0; c < windows.size() && goes_on(m_progress); ++c)
       result[c] = combine(windows[c], noise);
-    return result;
+    return m_progress && m_progress->is_cancelled() ? unknown : result;
   }
 
 private:
@@ -102,7 +107,7 @@ private:
       lengths[c] = arc_lengths(*polylines[c]);
       windows[c].resize((std::max)(std::size_t(1), static_cast<std::size_t>(lengths[c].back() / window_length + 0.5)));
     }
-    const std::vector<Polyline_foot> feet = nearest_feet(m_surroundings, polylines, reach);
+    const std::vector<Polyline_foot> feet = nearest_feet(m_surroundings, polylines, reach, m_progress);
     for (std::size_t i = 0; i < feet.size(); ++i)
     {
       if (!feet[i].is_valid())

@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_TRACED_NETWORK_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_TRACED_NETWORK_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/field/Contraction.h>
 #include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
@@ -25,7 +26,11 @@
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <functional>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -55,72 +60,108 @@ public:
     m_joining.smooth_turn = options.smooth_angle * CGAL_PI / 180.;
   }
 
-  // `proceed(share)` returns whether to go on
-  Curve_network run(std::vector<std::size_t> seeds, const std::function<bool(double)>& proceed) const
+  // after cancelling, what was found so far
+  Curve_network run(std::vector<std::size_t> seeds, Progress& progress) const
   {
-    const std::vector<Traced_curve> curves = trace(std::move(seeds), proceed);
-    Curve_network network(curves);
-    for (int pass = 0; pass < number_of_passes; ++pass)
+    Curve_network network(trace(std::move(seeds), progress));
+    double share = share_of_traces;
+    for (int pass = 0; pass < number_of_passes && progress.reach(share); ++pass)
     {
-      network = join(network, pass > 0);
+      network = join(network, pass > 0, progress);
       // smooth curves know better where they lead than traces do
-      if (!smooth(network, proceed))
-        break;
+      smooth(network, progress, share, share + share_of_pass);
+      share += share_of_pass;
     }
-    return join(network, true);
+    return join(network, true, progress);
   }
 
 private:
   static constexpr int number_of_passes = 2;
+  // of the time, about; the last joining takes the rest
+  static constexpr double share_of_traces = 0.5, share_of_pass = 0.2;
+  // a seed takes some tens of microseconds where there is nothing to trace
+  static constexpr std::size_t seeds_between_questions = 64;
 
   double tolerance_of(std::size_t i) const { return agreement_tolerance(m_band.deviation(i, m_contraction.noise)); }
 
-  Curve_network join(Curve_network network, bool is_smooth) const
+  Curve_network join(Curve_network network, bool is_smooth, Progress& progress) const
   {
     const double least_gain = m_options.minimum_evidence;
-    const Curve_evidence evidence(m_band, m_contraction.noise);
+    const Curve_evidence evidence(m_band, m_contraction.noise, &progress);
     const auto prune = [&](const std::vector<const std::vector<Vector>*>& polylines) {
       return evidence.prune(polylines, least_gain, 0.35 * least_gain);
     };
     Curve_end_joiner joiner(network, m_joining);
-    joiner.prune(prune);
-    joiner.join();
-    joiner.prune(prune);
-    if (m_surroundings.size() > 0)
-      joiner.prune([&](const std::vector<const std::vector<Vector>*>& polylines) { return folded(polylines); });
-    if (is_smooth)
-    {
-      const Curve_evidence sharp_evidence(m_band, m_contraction.noise, 0.06);
-      joiner.round_off(
-        [&](const Vector& center, double radius, const std::vector<const std::vector<Vector>*>& lines) {
-          return sharp_evidence.loss_around(center, radius, lines);
-        },
-        0.5 * least_gain);
-      std::vector<double> distances = evidence.distances(network.polylines());
-      joiner.add_edges_between_nodes(
-        10.,
-        [&](const std::vector<Vector>& edge) {
-          return evidence.gain_of(edge, distances) - least_gain - 0.35 * least_gain * polyline_length(edge);
-        },
-        [&](const std::vector<Vector>& edge) { evidence.add(edge, distances); });
-    }
-    joiner.drop_spurs(4. + 5. * m_contraction.noise, 2. + 4. * m_contraction.noise);
-    if (!m_band.is_on_crease.empty())
-    {
-      joiner.trim_free_ends([&](const Vector& p) { return is_on_crease(p); }, 25.);
-      joiner.join();
-      joiner.drop_spurs(4. + 5. * m_contraction.noise, 2. + 4. * m_contraction.noise);
-    }
+    const std::function<void()> steps[] = {
+      [&] { joiner.prune(prune); },
+      [&] { joiner.join(); },
+      [&] { joiner.prune(prune); },
+      [&] {
+        if (m_surroundings.size() > 0)
+          joiner.prune(
+            [&](const std::vector<const std::vector<Vector>*>& polylines) { return folded(polylines, progress); });
+      },
+      [&] {
+        if (is_smooth)
+          round_off(joiner, progress);
+      },
+      [&] {
+        if (is_smooth)
+          add_edges(joiner, network, evidence, progress);
+      },
+      [&] { drop_spurs(joiner); },
+      [&] {
+        if (m_band.is_on_crease.empty())
+          return;
+        joiner.trim_free_ends([&](const Vector& p) { return is_on_crease(p); }, 25.);
+        joiner.join();
+        drop_spurs(joiner);
+      }};
+    for (const std::function<void()>& step : steps)
+      if (progress.goes_on())
+        step();
     return network;
+  }
+
+  // after cancelling, no course is better than a corner
+  void round_off(Curve_end_joiner& joiner, Progress& progress) const
+  {
+    const Curve_evidence evidence(m_band, m_contraction.noise, &progress, 0.06);
+    joiner.round_off(
+      [&](const Vector& center, double radius, const std::vector<const std::vector<Vector>*>& lines) {
+        return progress.goes_on() ? evidence.loss_around(center, radius, lines)
+                                  : (std::numeric_limits<double>::infinity)();
+      },
+      0.5 * m_options.minimum_evidence);
+  }
+
+  // after cancelling, none is worth it
+  void add_edges(Curve_end_joiner& joiner, const Curve_network& network, const Curve_evidence& evidence,
+                 Progress& progress) const
+  {
+    const double least_gain = m_options.minimum_evidence;
+    std::vector<double> distances = evidence.distances(network.polylines());
+    joiner.add_edges_between_nodes(
+      10.,
+      [&](const std::vector<Vector>& edge) {
+        const double gain = evidence.gain_of(edge, distances) - least_gain - 0.35 * least_gain * polyline_length(edge);
+        return progress.is_cancelled() ? 0. : gain;
+      },
+      [&](const std::vector<Vector>& edge) { evidence.add(edge, distances); });
+  }
+
+  void drop_spurs(Curve_end_joiner& joiner) const
+  {
+    joiner.drop_spurs(4. + 5. * m_contraction.noise, 2. + 4. * m_contraction.noise);
   }
 
   // Returns which of the curves the surface does not rule out. If it rules out all, the cloud is no surface with folds,
   // and the field alone counts.
-  std::vector<char> folded(const std::vector<const std::vector<Vector>*>& polylines) const
+  std::vector<char> folded(const std::vector<const std::vector<Vector>*>& polylines, Progress& progress) const
   {
     // of half the fold's angle: the surface turns by less than 17 degrees, beyond doubt
     static constexpr double least_slope = 0.15;
-    const std::vector<Surface_evidence::Fold> folds = Surface_evidence(m_surroundings).folds(polylines);
+    const std::vector<Surface_evidence::Fold> folds = Surface_evidence(m_surroundings, &progress).folds(polylines);
     std::vector<char> keep(polylines.size());
     for (std::size_t c = 0; c < polylines.size(); ++c)
       keep[c] = polylines[c] && !(folds[c].is_known && folds[c].slope + folds[c].deviation < least_slope);
@@ -145,8 +186,8 @@ private:
     return 2 * on_crease > all;
   }
 
-  // replaces the polylines by splines fitted to the field
-  bool smooth(Curve_network& network, const std::function<bool(double)>& proceed) const
+  // Replaces the polylines by splines fitted to the field, between these shares of the work. They stay after cancelling.
+  void smooth(Curve_network& network, Progress& progress, double first_share, double last_share) const
   {
     std::vector<Fitted_curve> fitted;
     std::vector<std::size_t> origin;
@@ -162,15 +203,19 @@ private:
         origin.push_back(c);
       }
     if (fitted.empty())
-      return true;
+      return;
     Extraction_options options = m_options;
     options.number_of_rounds = 2;
     Spline_network_fit fit(m_band, m_contraction.noise, options, network.nodes, fitted);
-    const bool is_complete = fit.run([&](double) { return proceed(1.); });
+    const std::function<bool(double)> proceed = [&](double share) {
+      return progress.reach(first_share + share * (last_share - first_share));
+    };
+    Progress progress_of_fit(proceed);
+    if (!fit.run(progress_of_fit))
+      return;
     network.nodes = fit.vertices();
     for (std::size_t k = 0; k < origin.size(); ++k)
       sample(fit.curves()[k].spline, network.curves[origin[k]]);
-    return is_complete;
   }
 
   static void sample(const Cubic_spline& spline, Network_curve& curve)
@@ -200,7 +245,7 @@ private:
     }
   }
 
-  std::vector<Traced_curve> trace(std::vector<std::size_t> seeds, const std::function<bool(double)>& proceed) const
+  std::vector<Traced_curve> trace(std::vector<std::size_t> seeds, Progress& progress) const
   {
     const std::vector<double>& residuals = m_contraction.residuals;
     std::sort(seeds.begin(), seeds.end(), [&](std::size_t a, std::size_t b) {
@@ -210,7 +255,7 @@ private:
     const double noise = m_contraction.noise;
     std::vector<Traced_curve> curves;
     Field_explanation explanation(m_band);
-    Curve_tracer tracer(m_band, m_tracing, &explanation);
+    Curve_tracer tracer(m_band, m_tracing, &explanation, &progress);
     for (const Traced_curve& curve : m_contraction.creases)
     {
       explanation.add(curve.points);
@@ -218,7 +263,7 @@ private:
       curves.push_back(curve);
     }
     // a fading crease can be followed further in a field that is precise
-    for (std::size_t c = 0; noise < 0.1 && c < curves.size(); ++c)
+    for (std::size_t c = 0; noise < 0.1 && c < curves.size() && progress.goes_on(); ++c)
     {
       tracer.extend(curves[c], c);
       explanation.add(curves[c].points);
@@ -226,7 +271,8 @@ private:
     std::size_t done = 0;
     for (std::size_t i : seeds)
     {
-      if (++done % 256 == 0 && !proceed(double(done) / double(seeds.size())))
+      if (++done % seeds_between_questions == 0
+          && !progress.reach(share_of_traces * double(done) / double(seeds.size())))
         break;
       if (residuals[i] > 0.1 + 1.3 * noise)
         break;
@@ -236,18 +282,21 @@ private:
           || tracer.is_traced(seed))
         continue;
       const Traced_curve curve = tracer.trace(seed);
+      if (progress.is_cancelled())
+        break;
       if (curve.length() < 3. + 5. * noise || curve.typical_residual() > 0.1 + 1.6 * noise)
         continue;
       explanation.add(curve.points);
       tracer.keep(curve);
       curves.push_back(curve);
     }
-    trace_unexplained(tracer, explanation, curves);
+    trace_unexplained(tracer, explanation, curves, progress);
     return curves;
   }
 
   // Curves so close to others that no fit there was good: what the others explain is set aside now.
-  void trace_unexplained(Curve_tracer& tracer, Field_explanation& explanation, std::vector<Traced_curve>& curves) const
+  void trace_unexplained(Curve_tracer& tracer, Field_explanation& explanation, std::vector<Traced_curve>& curves,
+                         Progress& progress) const
   {
     const Curve_evidence evidence(m_band, m_contraction.noise);
     Local_curve_fit fit(m_band);
@@ -256,6 +305,8 @@ private:
     fit_options.scale = m_tracing.fit_scale();
     for (std::size_t i = 0; i < m_band.skeleton_size; ++i)
     {
+      if (i % seeds_between_questions == 0 && !progress.goes_on())
+        break;
       if (explanation.is_explained(i, m_contraction.noise))
         continue;
       std::size_t unexplained = 0;
@@ -271,6 +322,8 @@ private:
       if (std::abs(m_band.distances[i] - seed.distance(m_band.points[i])) > tolerance_of(i) || tracer.is_traced(seed))
         continue;
       const Traced_curve curve = tracer.trace(seed);
+      if (progress.is_cancelled())
+        break;
       // these seeds are worse than the others, so their curves must prove more
       const double length = curve.length();
       if (length < 3. + 5. * m_contraction.noise

@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_BUILD_NETWORK_IMPL_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_BUILD_NETWORK_IMPL_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
 #include <CGAL/Wireframe_extraction/internal/network/Subdivided_network.h>
@@ -55,7 +56,8 @@ inline Curve_network unthinned_network(const Skeleton_data& skeleton, const std:
   std::vector<std::size_t> seeds;
   for (const std::vector<std::size_t>& cluster : clusters)
     seeds.insert(seeds.end(), cluster.begin(), cluster.end());
-  return Traced_network(*skeleton.band, *skeleton.surroundings, *skeleton.contraction, options).run(seeds, proceed);
+  Progress progress(proceed);
+  return Traced_network(*skeleton.band, *skeleton.surroundings, *skeleton.contraction, options).run(seeds, progress);
 }
 
 CGAL_WIREFRAME_EXTRACTION_INLINE Curve_network build_network(const Skeleton_data& skeleton,
