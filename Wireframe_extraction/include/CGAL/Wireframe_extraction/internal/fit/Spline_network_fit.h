@@ -59,6 +59,50 @@ class Spline_network_fit
     }
   };
 
+  // Lengths are in sampling distances r, which parameters nearly are, too.
+
+  // Initial splines: their paths are sampled at half an r, and must be met up to two standard deviations of the field, and
+  // what traced points are off on an exact one; spans may be halved down to half of `shortest_span`.
+  static constexpr double samples_of_path = 2.;
+  static constexpr std::size_t least_samples_of_path = 16;
+  static constexpr double path_tolerance = 0.1, path_tolerance_per_noise = 2., shortest_span = 2.;
+  // points of a path that are closer count as one: parameters must increase
+  static constexpr double least_step = 1e-9;
+
+  // Support: splines are polylines of steps of half an r, from which the feet start; points are looked for so far
+  // beyond the option `support_distance` that none is lost to the chords
+  static constexpr double samples_of_spline = 2., search_margin = 1.;
+  static constexpr std::size_t least_samples_of_spline = 8;
+
+  // The scale of Cauchy's loss: 1.5 standard deviations, and what splines miss of exact fields; twice that before the
+  // last round.
+  static constexpr double loss_scale = 0.05, scale_per_noise = 1.5, scale_of_first_rounds = 2.;
+  // weights of points: one at distance sqrt(2) counts half as much, in squares, since regressors err the more the
+  // farther; and a deviation matters only where it is above this one
+  static constexpr double falloff = 0.5, least_deviation = 0.03;
+
+  // Knots: a span is bisected if the residuals of its points, none farther than `farthest_of_knots` since only these
+  // tell where a curve runs, are a quarter above the others', and these are no better than the noise allows. There must
+  // be enough points to say so (a span of 3 r has some 12), and the halves stay above 1.5 r.
+  static constexpr double farthest_of_knots = 2., excess = 1.25, residual_margin = 0.02, residual_per_noise = 1.5;
+  static constexpr std::size_t least_of_level = 8, least_of_bad_span = 12;
+  static constexpr double shortest_bisected_span = 3.;
+  static constexpr int samples_of_refined_span = 6; // more than the four control points of its halves need
+
+  // Weights that hold vertices near their places: an end that no other curve holds could slip along its own curve; the
+  // others are held so weakly that any point is stronger.
+  static constexpr double anchor_of_free_end = 0.5, anchor = 0.02;
+
+  // The prior on curvature grows with the noise, which is all it has to even out.
+  static constexpr double roughness = 0.05, roughness_per_noise = 30.;
+  // r over which the curvature is averaged: waves of the noise are about as long as a ball
+  static constexpr double curvature_reach = 6.;
+  static constexpr double least_cubed_speed = 0.1; // below it, a curvature would be out of bounds
+
+  // enough for most parts; what is left, the next round starts from
+  static constexpr int most_iterations = 12;
+  static constexpr double function_tolerance = 1e-5;
+
   const Field_band& m_band;
   const Extraction_options& m_options;
   double m_noise;
@@ -95,8 +139,9 @@ public:
       if (round > 0 && m_options.adapt_knots)
         add_knots();
       // the loss narrows while the curves approach
-      const double scale = (0.05 + 1.5 * m_noise) * (round + 1 < rounds ? 2. : 1.);
-      if (!solve(scale, progress))
+      const double scale_of_round =
+        (loss_scale + scale_per_noise * m_noise) * (round + 1 < rounds ? scale_of_first_rounds : 1.);
+      if (!solve(scale_of_round, progress))
         return false;
     }
     if (!find_support(progress))
@@ -110,7 +155,8 @@ private:
   static void resample(const std::vector<Vector>& path, const std::vector<double>& s, std::vector<double>& parameters,
                        std::vector<Vector>& positions)
   {
-    const std::size_t count = (std::max)(std::size_t(16), static_cast<std::size_t>(std::ceil(2. * s.back())));
+    const std::size_t count =
+      (std::max)(least_samples_of_path, static_cast<std::size_t>(std::ceil(samples_of_path * s.back())));
     Polyline_walk walk(path, s);
     for (std::size_t j = 0; j <= count; ++j)
     {
@@ -143,14 +189,14 @@ private:
   void initialize(Fitted_curve& curve, Progress& progress) const
   {
     // they may become breakpoints, which must increase
-    const std::vector<double> s = arc_lengths(curve.path, 1e-9);
+    const std::vector<double> s = arc_lengths(curve.path, least_step);
     std::vector<double> parameters;
     std::vector<Vector> positions;
     resample(curve.path, s, parameters, positions);
     const bool is_periodic = curve.is_closed_without_vertex();
     std::vector<double> breaks =
       m_options.adapt_knots || s.size() <= curve.least_spans() ? uniform_breaks(s.back(), curve.least_spans()) : s;
-    const double tolerance = 0.1 + 2. * m_noise;
+    const double tolerance = path_tolerance + path_tolerance_per_noise * m_noise;
     while (true)
     {
       curve.spline = Cubic_spline(breaks, is_periodic);
@@ -165,7 +211,7 @@ private:
       }
       std::vector<char> is_bad(worst.size(), 0);
       for (std::size_t k = 0; k < worst.size(); ++k)
-        is_bad[k] = worst[k] > tolerance && breaks[k + 1] - breaks[k] > 2.;
+        is_bad[k] = worst[k] > tolerance && breaks[k + 1] - breaks[k] > shortest_span;
       if (std::find(is_bad.begin(), is_bad.end(), 1) == is_bad.end())
         return;
       breaks = bisect(breaks, is_bad);
@@ -181,7 +227,8 @@ private:
     {
       const Cubic_spline& spline = m_curves[c].spline;
       const double length = spline.back() - spline.front();
-      const std::size_t count = (std::max)(std::size_t(8), static_cast<std::size_t>(2. * length));
+      const std::size_t count =
+        (std::max)(least_samples_of_spline, static_cast<std::size_t>(samples_of_spline * length));
       for (std::size_t k = 0; k <= count; ++k)
       {
         parameters[c].push_back(spline.front() + length * double(k) / double(count));
@@ -189,7 +236,7 @@ private:
       }
     }
     const std::vector<Polyline_foot> feet =
-      nearest_feet(m_band, pointers_to(polylines), m_options.support_distance + 1., &progress);
+      nearest_feet(m_band, pointers_to(polylines), m_options.support_distance + search_margin, &progress);
     if (!progress.goes_on())
       return false;
     m_support.clear();
@@ -229,7 +276,7 @@ private:
     for (const Support& s : m_support)
     {
       const double e = residual(s);
-      if (std::abs(e) > cutoff() || m_band.distances[s.point] > 2.)
+      if (std::abs(e) > cutoff() || m_band.distances[s.point] > farthest_of_knots)
         continue;
       const std::size_t k = m_curves[s.curve].spline.span(s.parameter);
       squares[s.curve][k] += e * e;
@@ -238,17 +285,18 @@ private:
     std::vector<double> levels;
     for (std::size_t c = 0; c < m_curves.size(); ++c)
       for (std::size_t k = 0; k < squares[c].size(); ++k)
-        if (counts[c][k] >= 8)
+        if (counts[c][k] >= least_of_level)
           levels.push_back(std::sqrt(squares[c][k] / double(counts[c][k])));
-    const double limit = 0.02 + 1.25 * (std::min)(median(levels), 1.5 * m_noise + 0.02);
+    const double limit =
+      residual_margin + excess * (std::min)(median(levels), residual_per_noise * m_noise + residual_margin);
     for (std::size_t c = 0; c < m_curves.size(); ++c)
     {
       const Cubic_spline& spline = m_curves[c].spline;
       const std::vector<double>& breaks = spline.breaks();
       std::vector<char> is_bad(squares[c].size(), 0);
       for (std::size_t k = 0; k < is_bad.size(); ++k)
-        is_bad[k] = counts[c][k] >= 12 && std::sqrt(squares[c][k] / double(counts[c][k])) > limit
-          && breaks[k + 1] - breaks[k] > 3.;
+        is_bad[k] = counts[c][k] >= least_of_bad_span && std::sqrt(squares[c][k] / double(counts[c][k])) > limit
+          && breaks[k + 1] - breaks[k] > shortest_bisected_span;
       if (std::find(is_bad.begin(), is_bad.end(), 1) != is_bad.end())
         refine(m_curves[c], bisect(breaks, is_bad));
     }
@@ -260,9 +308,9 @@ private:
     std::vector<double> parameters;
     std::vector<Vector> positions;
     for (std::size_t k = 1; k < breaks.size(); ++k)
-      for (int j = 0; j < 6; ++j)
+      for (int j = 0; j < samples_of_refined_span; ++j)
       {
-        parameters.push_back(breaks[k - 1] + (breaks[k] - breaks[k - 1]) * j / 6.);
+        parameters.push_back(breaks[k - 1] + (breaks[k] - breaks[k - 1]) * j / double(samples_of_refined_span));
         positions.push_back(curve.spline.at(parameters.back()));
       }
     parameters.push_back(breaks.back());
@@ -367,8 +415,8 @@ private:
     const std::vector<std::size_t> vertices = vertices_of(curves);
     for (std::size_t v : vertices)
     {
-      problem.AddResidualBlock(new Anchor_residual(m_anchors[v], m_degrees[v] == 1 ? 0.5 : 0.02), nullptr,
-                               m_vertices[v].data());
+      problem.AddResidualBlock(new Anchor_residual(m_anchors[v], m_degrees[v] == 1 ? anchor_of_free_end : anchor),
+                               nullptr, m_vertices[v].data());
       if (!m_options.move_corners)
         problem.SetParameterBlockConstant(m_vertices[v].data());
     }
@@ -381,7 +429,7 @@ private:
     for (std::size_t c : curves)
       kept_points.push_back(m_curves[c].spline.points());
     Stop_on_cancel stop(progress);
-    ceres::Solver::Options options = solver_options(12, 1e-5);
+    ceres::Solver::Options options = solver_options(most_iterations, function_tolerance);
     options.callbacks.push_back(&stop);
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
@@ -407,8 +455,8 @@ private:
       if (!residual)
         residual = new Span_residual(scale);
       const double d = m_band.distances[s.point];
-      const double worth = (0.03 + m_noise) / (0.03 + m_band.deviation(s.point, m_noise));
-      const double weight = m_options.use_robust_loss ? worth / std::sqrt(1. + 0.5 * d * d) : 1.;
+      const double worth = (least_deviation + m_noise) / (least_deviation + m_band.deviation(s.point, m_noise));
+      const double weight = m_options.use_robust_loss ? worth / std::sqrt(1. + falloff * d * d) : 1.;
       residual->add(m_band.points[s.point], d, weight, spline.basis(s.parameter).values.data());
     }
     for (const auto& entry : residuals)
@@ -433,7 +481,7 @@ private:
   // whether it left its place by more than any point of a curve's support is away from it
   bool is_stray(const Vector& now, const Vector& before) const
   {
-    return !((now - before).norm() < 2. * (m_options.support_distance + 1.));
+    return !((now - before).norm() < 2. * (m_options.support_distance + search_margin));
   }
 
   // Where a robust loss has lost all points, nothing holds a curve any more: it goes back. The ends are at the
@@ -457,7 +505,7 @@ private:
   // the third derivative is -k^2 times the first one; what differs from that is rough.
   void add_roughness(ceres::Problem& problem, Fitted_curve& curve)
   {
-    const double roughness = m_options.adapt_knots ? 0.05 + 30. * m_noise : 0.05;
+    const double roughness_of_curve = m_options.adapt_knots ? roughness + roughness_per_noise * m_noise : roughness;
     const std::vector<double>& breaks = curve.spline.breaks();
     const std::vector<Vector> curvatures = span_curvatures(curve.spline);
     for (std::size_t k = 1; k < breaks.size(); ++k)
@@ -468,7 +516,7 @@ private:
                                 second = curve.spline.basis(breaks[k] - 0.25 * width),
                                 middle = curve.spline.basis(0.5 * (breaks[k] + breaks[k - 1]));
       // the derivatives of short spans grow beyond bounds
-      const double weight = roughness * std::sqrt(width) * std::pow((std::min)(1., width), 2);
+      const double weight = roughness_of_curve * std::sqrt(width) * std::pow((std::min)(1., width), 2);
       std::array<double, 4> factors;
       for (int j = 0; j < 4; ++j)
         factors[j] = weight
@@ -486,7 +534,7 @@ private:
     {
       const Cubic_spline::Basis middle = spline.basis(0.5 * (spline.breaks()[k - 1] + spline.breaks()[k]));
       const Vector d1 = spline.combine(middle, 1), d2 = spline.combine(middle, 2);
-      result.push_back(d1.cross(d2) / (std::max)(0.1, std::pow(d1.norm(), 3)));
+      result.push_back(d1.cross(d2) / (std::max)(least_cubed_speed, std::pow(d1.norm(), 3)));
     }
     return result;
   }
@@ -494,7 +542,6 @@ private:
   // the mean over some sampling distances: waves cancel, arcs add up
   static Vector typical_curvature(const Cubic_spline& spline, const std::vector<Vector>& curvatures, std::size_t span)
   {
-    static constexpr double reach = 6.;
     const std::vector<double>& breaks = spline.breaks();
     const std::size_t n = curvatures.size();
     const double period = spline.is_periodic() ? spline.back() - spline.front() : 0.;
@@ -510,7 +557,7 @@ private:
         double distance = is_forward ? middle(k) - middle(span) : middle(span) - middle(k);
         if (distance < 0.)
           distance += period;
-        if (distance > reach)
+        if (distance > curvature_reach)
           break;
         sum += (breaks[k + 1] - breaks[k]) * curvatures[k];
         total += breaks[k + 1] - breaks[k];

@@ -56,6 +56,9 @@ class Span_residual : public ceres::CostFunction
   typedef Eigen::Matrix<double, size, size> Matrix;
   typedef Eigen::Matrix<double, size, 1> Column;
 
+  static constexpr double least_distance = 1e-12; // in r: closer points have no direction
+  static constexpr double least_pivot = 1e-14;    // of the largest one: what is below is rounding error
+
   std::vector<Sample> m_samples;
   double m_scale;
   std::array<const double*, 4> m_controls{};
@@ -94,7 +97,7 @@ public:
       const Cauchy_factor factor = m_scale > 0. ? Cauchy_factor(e * e, m_scale * m_scale) : Cauchy_factor();
       const double residual = factor.value * e;
       squares += residual * residual;
-      if (with_jacobian && distance > 1e-12)
+      if (with_jacobian && distance > least_distance)
       {
         const double by_distance = sample.weight * (factor.value + 2. * factor.derivative * e * e);
         sums.add(sample.basis, offset * (by_distance / distance), residual);
@@ -163,7 +166,7 @@ private:
     double largest = factorization.pivot(0);
     for (int i = 1; i < size; ++i)
       largest = (std::max)(largest, factorization.pivot(i));
-    const double least = 1e-14 * largest;
+    const double least = least_pivot * largest;
     Column reduced = column;
     factorization.solve_lower(reduced.data());
     double square = 0.;
@@ -184,6 +187,8 @@ private:
 // are: the solver ends soon.
 class Span_preparer : public ceres::EvaluationCallback
 {
+  static constexpr std::size_t at_once = 4; // a span takes some microseconds
+
   std::vector<Span_residual*> m_spans;
   Progress& m_progress;
 
@@ -199,7 +204,7 @@ public:
         for (std::size_t k = begin; k < end && !m_progress.is_cancelled(); ++k)
           m_spans[k]->prepare(evaluate_jacobians);
       },
-      4);
+      at_once);
   }
 };
 

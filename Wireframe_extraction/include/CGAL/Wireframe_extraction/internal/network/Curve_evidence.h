@@ -40,12 +40,15 @@ class Curve_evidence
   double m_noise, m_least_tolerance;
   Progress* m_progress;
 
+  // in sampling distances: beyond it, a curve is nobody's; beyond the band's points and their tolerance
   static constexpr double farthest = 4.;
+  // in standard deviations of a distance: where its loss is full, 99 % of normal errors are smaller
+  static constexpr double tolerance_per_deviation = 2.5;
   static constexpr std::uint32_t none = Polyline_foot::no_curve;
 
   double loss(std::size_t i, double distance) const
   {
-    const double tolerance = (std::max)(m_least_tolerance, 2.5 * m_band.deviation(i, m_noise));
+    const double tolerance = (std::max)(m_least_tolerance, tolerance_per_deviation * m_band.deviation(i, m_noise));
     const double ratio = (m_band.distances[i] - distance) / tolerance;
     return (std::min)(1., ratio * ratio);
   }
@@ -101,6 +104,9 @@ class Curve_evidence
   }
 
 public:
+  // in r: distances of an exact field differ by as much from those to a polyline whose points are r apart
+  static constexpr double default_tolerance = 0.2;
+
   struct Scores
   {
     std::vector<double> gains; // per curve
@@ -108,11 +114,12 @@ public:
     std::vector<std::vector<std::size_t>> neighbors;
   };
 
-  Curve_evidence(const Field_band& band, double noise, Progress* progress = nullptr, double least_tolerance = 0.2)
+  Curve_evidence(const Field_band& band, double noise, Progress* progress = nullptr,
+                 double least_tolerance = default_tolerance)
     : m_band(band), m_noise(noise), m_least_tolerance(least_tolerance), m_progress(progress)
   {}
 
-  // polylines[c] may be empty: no such curve
+  // polylines[c] may be null: no such curve
   Scores scores(const std::vector<const std::vector<Vector>*>& polylines) const
   {
     std::vector<Two_nearest> nearest(m_band.size());
@@ -143,7 +150,7 @@ public:
     return result;
   }
 
-  // of every point of the band to the nearest polyline, at most 4
+  // of every point of the band to the nearest polyline, at most `farthest`
   std::vector<double> distances(const std::vector<const std::vector<Vector>*>& polylines) const
   {
     std::vector<double> result(m_band.size(), farthest);
