@@ -81,7 +81,7 @@ along a spline cost the more the noisier the field is, so that splines do not fo
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the wireframe. After cancelling, its curves are as far as the fit had come.
+\return the wireframe. After cancelling, its curves are as far as the fit had come, without residuals and support.
 
 Complexity: O(n log n) for n points per round, besides the solution of the sparse normal equations.
 */

@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_POLYLINE_FEET_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_POLYLINE_FEET_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
 #include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
@@ -119,9 +120,10 @@ void visit_feet(const Field_band& band, std::size_t curve, const std::vector<Vec
 }
 
 // The nearest foot of every point of a band, on those of the polylines that are not null and closer than `radius`. Of
-// feet that are equally near, that on the first polyline counts.
+// feet that are equally near, that on the first polyline counts. After cancelling, some are missing.
 inline std::vector<Polyline_foot> nearest_feet(const Field_band& band,
-                                               const std::vector<const std::vector<Vector>*>& polylines, double radius)
+                                               const std::vector<const std::vector<Vector>*>& polylines, double radius,
+                                               Progress* progress = nullptr)
 {
   std::vector<Polyline_foot> feet(band.size());
   std::mutex mutex;
@@ -130,7 +132,7 @@ inline std::vector<Polyline_foot> nearest_feet(const Field_band& band,
     [&](std::size_t begin, std::size_t end) {
       std::vector<std::pair<std::size_t, Polyline_foot>> found;
       for (std::size_t c = begin; c < end; ++c)
-        if (polylines[c])
+        if (polylines[c] && goes_on(progress))
           visit_feet(band, c, *polylines[c], radius,
                      [&](std::size_t i, const Polyline_foot& foot) { found.emplace_back(i, foot); });
       const std::lock_guard<std::mutex> lock(mutex);

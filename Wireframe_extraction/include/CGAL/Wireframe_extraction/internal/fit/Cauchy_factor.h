@@ -22,6 +22,9 @@ namespace internal {
 // residuals can then share a block, which spares a solver its bookkeeping.
 struct Cauchy_factor
 {
+  // below it, two terms of the series are exact up to 1e-12
+  static constexpr double least_ratio = 1e-6;
+
   double value = 1.;
   double derivative = 0.; // by the square of the residual
 
@@ -30,7 +33,7 @@ struct Cauchy_factor
   Cauchy_factor(double square, double squared_scale)
   {
     const double q = square / squared_scale;
-    if (q < 1e-6)
+    if (q < least_ratio)
     {
       value = 1. - 0.25 * q;
       derivative = -0.25 / squared_scale;

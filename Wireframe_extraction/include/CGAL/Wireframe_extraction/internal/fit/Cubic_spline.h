@@ -31,6 +31,15 @@ namespace internal {
 // A cubic spline over breakpoints, clamped or periodic, whose control points an optimizer may move.
 class Cubic_spline
 {
+  // Newton's steps for feet: from a parameter that is close, five reach rounding errors; where the second derivative of
+  // the squared distance falls below this share of the first one's part, the center of curvature is near.
+  static constexpr int most_steps = 5;
+  static constexpr double least_slope = 0.3;
+  static constexpr double foot_precision = 1e-10; // of the length
+  // Weights of least squares, where a position counts 1: of the ends, which are set exactly afterwards; of bends where
+  // there is no data; of what is determined by neither.
+  static constexpr double end_weight = 1e6, bend_weight = 1e-6, regularization = 1e-12;
+
   bool m_is_periodic = false;
   std::vector<double> m_breaks; // strictly increasing
   std::vector<double> m_knots;  // periodic: the breakpoints go on beyond both ends
@@ -116,16 +125,16 @@ public:
     Basis b = basis(u);
     Vector offset = combine(b) - p;
     double best = u, best_distance = offset.squaredNorm();
-    for (int k = 0; k < 5; ++k)
+    for (int k = 0; k < most_steps; ++k)
     {
       const Vector d1 = combine(b, 1), d2 = combine(b, 2);
       double slope = d1.squaredNorm() + offset.dot(d2);
-      if (!(slope > 0.3 * d1.squaredNorm()))
+      if (!(slope > least_slope * d1.squaredNorm()))
         slope = d1.squaredNorm(); // Gauss-Newton near centers of curvature
       if (!(slope > 0.))
         break;
       const double next = bring_into_range(u - offset.dot(d1) / slope);
-      if (std::abs(next - u) < 1e-10 * (back() - front()))
+      if (std::abs(next - u) < foot_precision * (back() - front()))
         break;
       b = basis(next);
       offset = combine(b) - p;

@@ -42,20 +42,19 @@ CGAL_WIREFRAME_EXTRACTION_INLINE void Cubic_spline::interpolate(const std::vecto
     add(basis(parameters[i]), 1., positions[i]);
   if (!m_is_periodic)
   {
-    add(basis(front()), 1e6, positions.front());
-    add(basis(back()), 1e6, positions.back());
+    add(basis(front()), end_weight, positions.front());
+    add(basis(back()), end_weight, positions.back());
   }
   // a control polygon without bends where there is no data
-  const double smooth = 1e-6;
   for (std::size_t i = 0; i + 2 < n; ++i)
   {
     const double c[3] = {1., -2., 1.};
     for (int j = 0; j < 3; ++j)
       for (int k = 0; k < 3; ++k)
-        entries.emplace_back(i + j, i + k, smooth * c[j] * c[k]);
+        entries.emplace_back(i + j, i + k, bend_weight * c[j] * c[k]);
   }
   for (std::size_t i = 0; i < n; ++i)
-    entries.emplace_back(i, i, 1e-12);
+    entries.emplace_back(i, i, regularization);
   Eigen::SparseMatrix<double> matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);

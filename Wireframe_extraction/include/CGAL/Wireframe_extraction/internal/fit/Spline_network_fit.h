@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_SPLINE_NETWORK_FIT_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_SPLINE_NETWORK_FIT_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
@@ -27,9 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <map>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -48,18 +47,61 @@ class Spline_network_fit
 
   class Stop_on_cancel : public ceres::IterationCallback
   {
-    const std::function<bool(double)>& m_proceed;
-    double m_share;
+    Progress& m_progress;
 
   public:
-    Stop_on_cancel(const std::function<bool(double)>& proceed, double share) : m_proceed(proceed), m_share(share) {}
+    explicit Stop_on_cancel(Progress& progress) : m_progress(progress) {}
     ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override
     {
-      if (m_proceed(m_share))
+      if (m_progress.goes_on())
         return ceres::SOLVER_CONTINUE;
       return ceres::SOLVER_ABORT;
     }
   };
+
+  // Lengths are in sampling distances r, which parameters nearly are, too.
+
+  // Initial splines: their paths are sampled at half an r, and must be met up to two standard deviations of the field, and
+  // what traced points are off on an exact one; spans may be halved down to half of `shortest_span`.
+  static constexpr double samples_of_path = 2.;
+  static constexpr std::size_t least_samples_of_path = 16;
+  static constexpr double path_tolerance = 0.1, path_tolerance_per_noise = 2., shortest_span = 2.;
+  // points of a path that are closer count as one: parameters must increase
+  static constexpr double least_step = 1e-9;
+
+  // Support: splines are polylines of steps of half an r, from which the feet start; points are looked for so far
+  // beyond the option `support_distance` that none is lost to the chords
+  static constexpr double samples_of_spline = 2., search_margin = 1.;
+  static constexpr std::size_t least_samples_of_spline = 8;
+
+  // The scale of Cauchy's loss: 1.5 standard deviations, and what splines miss of exact fields; twice that before the
+  // last round.
+  static constexpr double loss_scale = 0.05, scale_per_noise = 1.5, scale_of_first_rounds = 2.;
+  // weights of points: one at distance sqrt(2) counts half as much, in squares, since regressors err the more the
+  // farther; and a deviation matters only where it is above this one
+  static constexpr double falloff = 0.5, least_deviation = 0.03;
+
+  // Knots: a span is bisected if the residuals of its points, none farther than `farthest_of_knots` since only these
+  // tell where a curve runs, are a quarter above the others', and these are no better than the noise allows. There must
+  // be enough points to say so (a span of 3 r has some 12), and the halves stay above 1.5 r.
+  static constexpr double farthest_of_knots = 2., excess = 1.25, residual_margin = 0.02, residual_per_noise = 1.5;
+  static constexpr std::size_t least_of_level = 8, least_of_bad_span = 12;
+  static constexpr double shortest_bisected_span = 3.;
+  static constexpr int samples_of_refined_span = 6; // more than the four control points of its halves need
+
+  // Weights that hold vertices near their places: an end that no other curve holds could slip along its own curve; the
+  // others are held so weakly that any point is stronger.
+  static constexpr double anchor_of_free_end = 0.5, anchor = 0.02;
+
+  // The prior on curvature grows with the noise, which is all it has to even out.
+  static constexpr double roughness = 0.05, roughness_per_noise = 30.;
+  // r over which the curvature is averaged: waves of the noise are about as long as a ball
+  static constexpr double curvature_reach = 6.;
+  static constexpr double least_cubed_speed = 0.1; // below it, a curvature would be out of bounds
+
+  // enough for most parts; what is left, the next round starts from
+  static constexpr int most_iterations = 12;
+  static constexpr double function_tolerance = 1e-5;
 
   const Field_band& m_band;
   const Extraction_options& m_options;
@@ -84,26 +126,28 @@ public:
   const std::vector<Vector>& vertices() const { return m_vertices; }
   const std::vector<Fitted_curve>& curves() const { return m_curves; }
 
-  // returns whether it was not cancelled
-  bool run(const std::function<bool(double)>& proceed)
+  // Returns whether it was not cancelled. Otherwise the curves are as far as the fit had come, without residuals.
+  bool run(Progress& progress)
   {
     for (Fitted_curve& curve : m_curves)
-      initialize(curve);
+      initialize(curve, progress);
     const int rounds = (std::max)(1, m_options.number_of_rounds);
-    bool is_complete = true;
-    for (int round = 0; round < rounds && is_complete; ++round)
+    for (int round = 0; round < rounds; ++round)
     {
-      find_support();
+      if (!progress.reach(double(round) / rounds) || !find_support(progress))
+        return false;
       if (round > 0 && m_options.adapt_knots)
         add_knots();
-      const double share = double(round) / rounds;
       // the loss narrows while the curves approach
-      const double scale = (0.05 + 1.5 * m_noise) * (round + 1 < rounds ? 2. : 1.);
-      is_complete = solve(scale, proceed, share);
+      const double scale_of_round =
+        (loss_scale + scale_per_noise * m_noise) * (round + 1 < rounds ? scale_of_first_rounds : 1.);
+      if (!solve(scale_of_round, progress))
+        return false;
     }
-    find_support();
+    if (!find_support(progress))
+      return false;
     measure();
-    return is_complete;
+    return true;
   }
 
 private:
@@ -111,7 +155,8 @@ private:
   static void resample(const std::vector<Vector>& path, const std::vector<double>& s, std::vector<double>& parameters,
                        std::vector<Vector>& positions)
   {
-    const std::size_t count = (std::max)(std::size_t(16), static_cast<std::size_t>(std::ceil(2. * s.back())));
+    const std::size_t count =
+      (std::max)(least_samples_of_path, static_cast<std::size_t>(std::ceil(samples_of_path * s.back())));
     Polyline_walk walk(path, s);
     for (std::size_t j = 0; j <= count; ++j)
     {
@@ -140,23 +185,23 @@ private:
     return breaks;
   }
 
-  // a spline through the path, with knots where the path asks for them
-  void initialize(Fitted_curve& curve) const
+  // a spline through the path, with knots where the path asks for them; after cancelling, as if it asked for none
+  void initialize(Fitted_curve& curve, Progress& progress) const
   {
     // they may become breakpoints, which must increase
-    const std::vector<double> s = arc_lengths(curve.path, 1e-9);
+    const std::vector<double> s = arc_lengths(curve.path, least_step);
     std::vector<double> parameters;
     std::vector<Vector> positions;
     resample(curve.path, s, parameters, positions);
     const bool is_periodic = curve.is_closed_without_vertex();
     std::vector<double> breaks =
       m_options.adapt_knots || s.size() <= curve.least_spans() ? uniform_breaks(s.back(), curve.least_spans()) : s;
-    const double tolerance = 0.1 + 2. * m_noise;
+    const double tolerance = path_tolerance + path_tolerance_per_noise * m_noise;
     while (true)
     {
       curve.spline = Cubic_spline(breaks, is_periodic);
       curve.spline.interpolate(parameters, positions);
-      if (!m_options.adapt_knots)
+      if (!m_options.adapt_knots || !progress.goes_on())
         return;
       std::vector<double> worst(breaks.size() - 1, 0.);
       for (std::size_t i = 0; i < parameters.size(); ++i)
@@ -166,15 +211,15 @@ private:
       }
       std::vector<char> is_bad(worst.size(), 0);
       for (std::size_t k = 0; k < worst.size(); ++k)
-        is_bad[k] = worst[k] > tolerance && breaks[k + 1] - breaks[k] > 2.;
+        is_bad[k] = worst[k] > tolerance && breaks[k + 1] - breaks[k] > shortest_span;
       if (std::find(is_bad.begin(), is_bad.end(), 1) == is_bad.end())
         return;
       breaks = bisect(breaks, is_bad);
     }
   }
 
-  // the points that lie near the curves, each with the nearest curve and its foot there
-  void find_support()
+  // the points that lie near the curves, each with the nearest curve and its foot there; returns whether to go on
+  bool find_support(Progress& progress)
   {
     std::vector<std::vector<Vector>> polylines(m_curves.size());
     std::vector<std::vector<double>> parameters(m_curves.size());
@@ -182,7 +227,8 @@ private:
     {
       const Cubic_spline& spline = m_curves[c].spline;
       const double length = spline.back() - spline.front();
-      const std::size_t count = (std::max)(std::size_t(8), static_cast<std::size_t>(2. * length));
+      const std::size_t count =
+        (std::max)(least_samples_of_spline, static_cast<std::size_t>(samples_of_spline * length));
       for (std::size_t k = 0; k <= count; ++k)
       {
         parameters[c].push_back(spline.front() + length * double(k) / double(count));
@@ -190,19 +236,24 @@ private:
       }
     }
     const std::vector<Polyline_foot> feet =
-      nearest_feet(m_band, pointers_to(polylines), m_options.support_distance + 1.);
+      nearest_feet(m_band, pointers_to(polylines), m_options.support_distance + search_margin, &progress);
+    if (!progress.goes_on())
+      return false;
     m_support.clear();
     for (std::size_t i = 0; i < m_band.size(); ++i)
       if (feet[i].is_valid())
         m_support.push_back({i, feet[i].curve, 0.});
-    for_each_piece(m_support.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k)
-      {
-        Support& s = m_support[k];
-        const Polyline_foot& foot = feet[s.point];
-        s.parameter = m_curves[s.curve].spline.foot(m_band.points[s.point], foot.interpolate(parameters[s.curve]));
-      }
-    });
+    return for_each_piece_or_cancel(
+      m_support.size(),
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+        {
+          Support& s = m_support[k];
+          const Polyline_foot& foot = feet[s.point];
+          s.parameter = m_curves[s.curve].spline.foot(m_band.points[s.point], foot.interpolate(parameters[s.curve]));
+        }
+      },
+      [&](double) { return progress.goes_on(); });
   }
 
   double residual(const Support& s) const
@@ -225,7 +276,7 @@ private:
     for (const Support& s : m_support)
     {
       const double e = residual(s);
-      if (std::abs(e) > cutoff() || m_band.distances[s.point] > 2.)
+      if (std::abs(e) > cutoff() || m_band.distances[s.point] > farthest_of_knots)
         continue;
       const std::size_t k = m_curves[s.curve].spline.span(s.parameter);
       squares[s.curve][k] += e * e;
@@ -234,17 +285,18 @@ private:
     std::vector<double> levels;
     for (std::size_t c = 0; c < m_curves.size(); ++c)
       for (std::size_t k = 0; k < squares[c].size(); ++k)
-        if (counts[c][k] >= 8)
+        if (counts[c][k] >= least_of_level)
           levels.push_back(std::sqrt(squares[c][k] / double(counts[c][k])));
-    const double limit = 0.02 + 1.25 * (std::min)(median(levels), 1.5 * m_noise + 0.02);
+    const double limit =
+      residual_margin + excess * (std::min)(median(levels), residual_per_noise * m_noise + residual_margin);
     for (std::size_t c = 0; c < m_curves.size(); ++c)
     {
       const Cubic_spline& spline = m_curves[c].spline;
       const std::vector<double>& breaks = spline.breaks();
       std::vector<char> is_bad(squares[c].size(), 0);
       for (std::size_t k = 0; k < is_bad.size(); ++k)
-        is_bad[k] = counts[c][k] >= 12 && std::sqrt(squares[c][k] / double(counts[c][k])) > limit
-          && breaks[k + 1] - breaks[k] > 3.;
+        is_bad[k] = counts[c][k] >= least_of_bad_span && std::sqrt(squares[c][k] / double(counts[c][k])) > limit
+          && breaks[k + 1] - breaks[k] > shortest_bisected_span;
       if (std::find(is_bad.begin(), is_bad.end(), 1) != is_bad.end())
         refine(m_curves[c], bisect(breaks, is_bad));
     }
@@ -256,9 +308,9 @@ private:
     std::vector<double> parameters;
     std::vector<Vector> positions;
     for (std::size_t k = 1; k < breaks.size(); ++k)
-      for (int j = 0; j < 6; ++j)
+      for (int j = 0; j < samples_of_refined_span; ++j)
       {
-        parameters.push_back(breaks[k - 1] + (breaks[k] - breaks[k - 1]) * j / 6.);
+        parameters.push_back(breaks[k - 1] + (breaks[k] - breaks[k - 1]) * j / double(samples_of_refined_span));
         positions.push_back(curve.spline.at(parameters.back()));
       }
     parameters.push_back(breaks.back());
@@ -288,7 +340,7 @@ private:
   }
 
   // Curves that share no vertex do not know of each other: their problems are solved apart, at the same time.
-  bool solve(double scale, const std::function<bool(double)>& proceed, double share)
+  bool solve(double scale, Progress& progress)
   {
     const std::vector<std::vector<std::size_t>> parts = connected_curves();
     std::vector<std::vector<std::size_t>> supports(parts.size());
@@ -298,20 +350,14 @@ private:
         part_of_curve[c] = part;
     for (std::size_t i = 0; i < m_support.size(); ++i)
       supports[part_of_curve[m_support[i].curve]].push_back(i);
-    std::mutex mutex;
-    bool goes_on = true;
-    const std::function<bool(double)> ask = [&](double done) {
-      const std::lock_guard<std::mutex> lock(mutex);
-      return goes_on = goes_on && proceed(done);
-    };
     for_each_piece(
       parts.size(),
       [&](std::size_t begin, std::size_t end) {
-        for (std::size_t part = begin; part < end; ++part)
-          solve(parts[part], supports[part], scale, ask, share);
+        for (std::size_t part = begin; part < end && progress.goes_on(); ++part)
+          solve(parts[part], supports[part], scale, progress);
       },
       1);
-    return goes_on;
+    return !progress.is_cancelled();
   }
 
   // the parts of the network, each by its curves
@@ -357,9 +403,9 @@ private:
 
   // the problem of some curves that share vertices with no others
   void solve(const std::vector<std::size_t>& curves, const std::vector<std::size_t>& support, double scale,
-             const std::function<bool(double)>& proceed, double share)
+             Progress& progress)
   {
-    Span_preparer spans;
+    Span_preparer spans(progress);
     ceres::Problem::Options problem_options;
     problem_options.evaluation_callback = &spans;
     ceres::Problem problem(problem_options);
@@ -369,8 +415,8 @@ private:
     const std::vector<std::size_t> vertices = vertices_of(curves);
     for (std::size_t v : vertices)
     {
-      problem.AddResidualBlock(new Anchor_residual(m_anchors[v], m_degrees[v] == 1 ? 0.5 : 0.02), nullptr,
-                               m_vertices[v].data());
+      problem.AddResidualBlock(new Anchor_residual(m_anchors[v], m_degrees[v] == 1 ? anchor_of_free_end : anchor),
+                               nullptr, m_vertices[v].data());
       if (!m_options.move_corners)
         problem.SetParameterBlockConstant(m_vertices[v].data());
     }
@@ -382,8 +428,8 @@ private:
       kept_vertices.push_back(m_vertices[v]);
     for (std::size_t c : curves)
       kept_points.push_back(m_curves[c].spline.points());
-    Stop_on_cancel stop(proceed, share);
-    ceres::Solver::Options options = solver_options(12, 1e-5);
+    Stop_on_cancel stop(progress);
+    ceres::Solver::Options options = solver_options(most_iterations, function_tolerance);
     options.callbacks.push_back(&stop);
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
@@ -409,8 +455,8 @@ private:
       if (!residual)
         residual = new Span_residual(scale);
       const double d = m_band.distances[s.point];
-      const double worth = (0.03 + m_noise) / (0.03 + m_band.deviation(s.point, m_noise));
-      const double weight = m_options.use_robust_loss ? worth / std::sqrt(1. + 0.5 * d * d) : 1.;
+      const double worth = (least_deviation + m_noise) / (least_deviation + m_band.deviation(s.point, m_noise));
+      const double weight = m_options.use_robust_loss ? worth / std::sqrt(1. + falloff * d * d) : 1.;
       residual->add(m_band.points[s.point], d, weight, spline.basis(s.parameter).values.data());
     }
     for (const auto& entry : residuals)
@@ -435,7 +481,7 @@ private:
   // whether it left its place by more than any point of a curve's support is away from it
   bool is_stray(const Vector& now, const Vector& before) const
   {
-    return !((now - before).norm() < 2. * (m_options.support_distance + 1.));
+    return !((now - before).norm() < 2. * (m_options.support_distance + search_margin));
   }
 
   // Where a robust loss has lost all points, nothing holds a curve any more: it goes back. The ends are at the
@@ -459,7 +505,7 @@ private:
   // the third derivative is -k^2 times the first one; what differs from that is rough.
   void add_roughness(ceres::Problem& problem, Fitted_curve& curve)
   {
-    const double roughness = m_options.adapt_knots ? 0.05 + 30. * m_noise : 0.05;
+    const double roughness_of_curve = m_options.adapt_knots ? roughness + roughness_per_noise * m_noise : roughness;
     const std::vector<double>& breaks = curve.spline.breaks();
     const std::vector<Vector> curvatures = span_curvatures(curve.spline);
     for (std::size_t k = 1; k < breaks.size(); ++k)
@@ -470,7 +516,7 @@ private:
                                 second = curve.spline.basis(breaks[k] - 0.25 * width),
                                 middle = curve.spline.basis(0.5 * (breaks[k] + breaks[k - 1]));
       // the derivatives of short spans grow beyond bounds
-      const double weight = roughness * std::sqrt(width) * std::pow((std::min)(1., width), 2);
+      const double weight = roughness_of_curve * std::sqrt(width) * std::pow((std::min)(1., width), 2);
       std::array<double, 4> factors;
       for (int j = 0; j < 4; ++j)
         factors[j] = weight
@@ -488,7 +534,7 @@ private:
     {
       const Cubic_spline::Basis middle = spline.basis(0.5 * (spline.breaks()[k - 1] + spline.breaks()[k]));
       const Vector d1 = spline.combine(middle, 1), d2 = spline.combine(middle, 2);
-      result.push_back(d1.cross(d2) / (std::max)(0.1, std::pow(d1.norm(), 3)));
+      result.push_back(d1.cross(d2) / (std::max)(least_cubed_speed, std::pow(d1.norm(), 3)));
     }
     return result;
   }
@@ -496,7 +542,6 @@ private:
   // the mean over some sampling distances: waves cancel, arcs add up
   static Vector typical_curvature(const Cubic_spline& spline, const std::vector<Vector>& curvatures, std::size_t span)
   {
-    static constexpr double reach = 6.;
     const std::vector<double>& breaks = spline.breaks();
     const std::size_t n = curvatures.size();
     const double period = spline.is_periodic() ? spline.back() - spline.front() : 0.;
@@ -512,7 +557,7 @@ private:
         double distance = is_forward ? middle(k) - middle(span) : middle(span) - middle(k);
         if (distance < 0.)
           distance += period;
-        if (distance > reach)
+        if (distance > curvature_reach)
           break;
         sum += (breaks[k + 1] - breaks[k]) * curvatures[k];
         total += breaks[k + 1] - breaks[k];

@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_FIT_NETWORK_IMPL_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_FIT_NETWORK_IMPL_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/fit/Spline_network_fit.h>
 #include <CGAL/Wireframe_extraction/internal/fit/fit_network.h>
 
@@ -27,7 +28,8 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool fit_network(const Skeleton_data& skeleton,
                                                   const std::function<bool(double)>& proceed)
 {
   Spline_network_fit fit(*skeleton.band, skeleton.noise(options), options, vertices, curves);
-  const bool is_complete = fit.run(proceed);
+  Progress progress(proceed);
+  const bool is_complete = fit.run(progress);
   vertices = fit.vertices();
   curves = fit.curves();
   return is_complete;

@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_SPLINE_RESIDUALS_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_SPLINE_RESIDUALS_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/Symmetric_factorization.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
@@ -55,6 +56,9 @@ class Span_residual : public ceres::CostFunction
   typedef Eigen::Matrix<double, size, size> Matrix;
   typedef Eigen::Matrix<double, size, 1> Column;
 
+  static constexpr double least_distance = 1e-12; // in r: closer points have no direction
+  static constexpr double least_pivot = 1e-14;    // of the largest one: what is below is rounding error
+
   std::vector<Sample> m_samples;
   double m_scale;
   std::array<const double*, 4> m_controls{};
@@ -93,7 +97,7 @@ public:
       const Cauchy_factor factor = m_scale > 0. ? Cauchy_factor(e * e, m_scale * m_scale) : Cauchy_factor();
       const double residual = factor.value * e;
       squares += residual * residual;
-      if (with_jacobian && distance > 1e-12)
+      if (with_jacobian && distance > least_distance)
       {
         const double by_distance = sample.weight * (factor.value + 2. * factor.derivative * e * e);
         sums.add(sample.basis, offset * (by_distance / distance), residual);
@@ -162,7 +166,7 @@ private:
     double largest = factorization.pivot(0);
     for (int i = 1; i < size; ++i)
       largest = (std::max)(largest, factorization.pivot(i));
-    const double least = 1e-14 * largest;
+    const double least = least_pivot * largest;
     Column reduced = column;
     factorization.solve_lower(reduced.data());
     double square = 0.;
@@ -179,12 +183,17 @@ private:
   }
 };
 
-// Prepares the residuals of all spans when the solver has moved the control points.
+// Prepares the residuals of all spans when the solver has moved the control points. After cancelling they stay as they
+// are: the solver ends soon.
 class Span_preparer : public ceres::EvaluationCallback
 {
+  static constexpr std::size_t at_once = 4; // a span takes some microseconds
+
   std::vector<Span_residual*> m_spans;
+  Progress& m_progress;
 
 public:
+  explicit Span_preparer(Progress& progress) : m_progress(progress) {}
   void add(Span_residual* span) { m_spans.push_back(span); }
 
   void PrepareForEvaluation(bool evaluate_jacobians, bool) override
@@ -192,10 +201,10 @@ public:
     for_each_piece(
       m_spans.size(),
       [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k)
+        for (std::size_t k = begin; k < end && !m_progress.is_cancelled(); ++k)
           m_spans[k]->prepare(evaluate_jacobians);
       },
-      4);
+      at_once);
   }
 };
 

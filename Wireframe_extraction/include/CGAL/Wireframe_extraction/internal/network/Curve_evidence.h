@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CURVE_EVIDENCE_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CURVE_EVIDENCE_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
 #include <CGAL/Wireframe_extraction/internal/field/polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_network.h>
@@ -31,18 +32,23 @@ namespace Wireframe_extraction {
 namespace internal {
 
 // How much worse the field would be explained without a curve. The loss of a point is its squared residual in units
-// of the tolerance, at most 1; the gain of a curve is what the losses of its points would grow by without it.
+// of the tolerance, at most 1; the gain of a curve is what the losses of its points would grow by without it. After
+// cancelling, curves are worth nothing, but none is pruned.
 class Curve_evidence
 {
   const Field_band& m_band;
   double m_noise, m_least_tolerance;
+  Progress* m_progress;
 
+  // in sampling distances: beyond it, a curve is nobody's; beyond the band's points and their tolerance
   static constexpr double farthest = 4.;
+  // in standard deviations of a distance: where its loss is full, 99 % of normal errors are smaller
+  static constexpr double tolerance_per_deviation = 2.5;
   static constexpr std::uint32_t none = Polyline_foot::no_curve;
 
   double loss(std::size_t i, double distance) const
   {
-    const double tolerance = (std::max)(m_least_tolerance, 2.5 * m_band.deviation(i, m_noise));
+    const double tolerance = (std::max)(m_least_tolerance, tolerance_per_deviation * m_band.deviation(i, m_noise));
     const double ratio = (m_band.distances[i] - distance) / tolerance;
     return (std::min)(1., ratio * ratio);
   }
@@ -85,7 +91,7 @@ class Curve_evidence
       found.size(),
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)
-          if (polylines[first + k])
+          if (polylines[first + k] && goes_on(m_progress))
             visit_feet(m_band, first + k, *polylines[first + k], farthest,
                        [&](std::size_t i, const Polyline_foot& foot) {
                          found[k].push_back({static_cast<std::uint32_t>(i), foot.distance});
@@ -98,22 +104,27 @@ class Curve_evidence
   }
 
 public:
+  // in r: distances of an exact field differ by as much from those to a polyline whose points are r apart
+  static constexpr double default_tolerance = 0.2;
+
   struct Scores
   {
-    std::vector<double> gains;                       // per curve
-    std::vector<std::vector<std::size_t>> neighbors; // curves that would take over its points
+    std::vector<double> gains; // per curve
+    // the curves that would take over points from it, or it from them: their gains hang on its being there
+    std::vector<std::vector<std::size_t>> neighbors;
   };
 
-  Curve_evidence(const Field_band& band, double noise, double least_tolerance = 0.2)
-    : m_band(band), m_noise(noise), m_least_tolerance(least_tolerance)
+  Curve_evidence(const Field_band& band, double noise, Progress* progress = nullptr,
+                 double least_tolerance = default_tolerance)
+    : m_band(band), m_noise(noise), m_least_tolerance(least_tolerance), m_progress(progress)
   {}
 
-  // polylines[c] may be empty: no such curve
+  // polylines[c] may be null: no such curve
   Scores scores(const std::vector<const std::vector<Vector>*>& polylines) const
   {
     std::vector<Two_nearest> nearest(m_band.size());
     const std::size_t at_once = 4 * concurrency();
-    for (std::size_t first = 0; first < polylines.size(); first += at_once)
+    for (std::size_t first = 0; first < polylines.size() && goes_on(m_progress); first += at_once)
       add_nearest(polylines, first, (std::min)(polylines.size(), first + at_once), nearest);
     Scores result;
     result.gains.assign(polylines.size(), 0.);
@@ -126,17 +137,25 @@ public:
       const double without = loss(i, of_point.second);
       result.gains[of_point.curve] += without - loss(i, of_point.first);
       if (of_point.other != none && without < 1.)
+      {
         result.neighbors[of_point.curve].push_back(of_point.other);
+        result.neighbors[of_point.other].push_back(of_point.curve);
+      }
+    }
+    for (std::vector<std::size_t>& neighbors : result.neighbors)
+    {
+      std::sort(neighbors.begin(), neighbors.end());
+      neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
     }
     return result;
   }
 
-  // of every point of the band to the nearest polyline, at most 4
+  // of every point of the band to the nearest polyline, at most `farthest`
   std::vector<double> distances(const std::vector<const std::vector<Vector>*>& polylines) const
   {
     std::vector<double> result(m_band.size(), farthest);
     for (const std::vector<Vector>* polyline : polylines)
-      if (polyline)
+      if (polyline && goes_on(m_progress))
         add(*polyline, result);
     return result;
   }
@@ -152,6 +171,8 @@ public:
   // how much better the field would be explained with one more polyline; `others` are the distances without it
   double gain_of(const std::vector<Vector>& polyline, const std::vector<double>& others) const
   {
+    if (!goes_on(m_progress))
+      return 0.;
     // a point has a foot on every run of segments
     std::map<std::size_t, double> nearest;
     visit_feet(m_band, 0, polyline, farthest, [&](std::size_t i, const Polyline_foot& foot) {
@@ -186,7 +207,8 @@ public:
     return sum;
   }
 
-  // Returns which of the curves to keep: without the others, worst first, the field is explained about as well.
+  // Returns which of the curves to keep: without the others, worst first, the field is explained about as well. Of
+  // curves that are worth the same, the last one is first to go.
   std::vector<char> prune(std::vector<const std::vector<Vector>*> polylines, double least_gain,
                           double least_gain_per_length) const
   {
@@ -197,6 +219,8 @@ public:
     {
       changed = false;
       const Scores all = scores(polylines);
+      if (m_progress && m_progress->is_cancelled())
+        return keep;
       std::vector<double> worth(polylines.size(), 0.);
       std::vector<std::size_t> order;
       for (std::size_t c = 0; c < polylines.size(); ++c)
@@ -206,7 +230,8 @@ public:
           if (worth[c] < 0.)
             order.push_back(c);
         }
-      std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return worth[a] < worth[b]; });
+      std::sort(order.begin(), order.end(),
+                [&](std::size_t a, std::size_t b) { return worth[a] < worth[b] || (worth[a] == worth[b] && a > b); });
       std::vector<char> is_affected(polylines.size(), 0);
       for (std::size_t c : order)
       {

@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CURVE_TRACER_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CURVE_TRACER_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
@@ -37,13 +38,15 @@ class Curve_tracer
   Tracing_options m_options;
   Local_curve_fit m_fit;
   const Field_explanation* m_explanation; // by other curves
+  Progress* m_progress;                   // may stop a curve on its way
   std::vector<std::size_t> m_ball;
   Segment_grid m_traced;
   std::size_t m_number_of_traced = 0;
   std::size_t m_extended = Segment_grid::no_curve; // the curve that is being extended
 
-  static constexpr std::size_t trail = 10; // points of the path that are no news to the front
+  static constexpr std::size_t trail = Tracing_options::trail;
 
+public:
   enum Evidence
   {
     SUPPORT,
@@ -51,9 +54,9 @@ class Curve_tracer
     CONTRADICTION
   };
 
-public:
-  Curve_tracer(const Field_band& band, const Tracing_options& options, const Field_explanation* explanation = nullptr)
-    : m_band(band), m_options(options), m_fit(band), m_explanation(explanation)
+  Curve_tracer(const Field_band& band, const Tracing_options& options, const Field_explanation* explanation = nullptr,
+               Progress* progress = nullptr)
+    : m_band(band), m_options(options), m_fit(band), m_explanation(explanation), m_progress(progress)
   {}
 
   Traced_curve trace(const Local_curve& seed)
@@ -81,7 +84,7 @@ public:
     return curve;
   }
 
-  // Follows the field beyond the ends of an open curve that was kept as number `index`.
+  // Follows the field beyond the ends of an open curve that was kept as number `index`, and keeps what it adds.
   void extend(Traced_curve& curve, std::size_t index)
   {
     m_extended = index;
@@ -98,7 +101,9 @@ public:
       bool ends_in_void;
       if (follow(curve.tips[e], own, path, curve.residuals, tip, ends_in_void) || path.empty())
         continue;
-      points.insert(points.end(), path.begin(), path.end());
+      path.insert(path.begin(), points.back());
+      m_traced.add(index, path);
+      points.insert(points.end(), path.begin() + 1, path.end());
       if (e == 0)
         std::reverse(points.begin(), points.end());
       curve.points = points;
@@ -114,23 +119,23 @@ public:
   // whether a kept curve runs along this one
   bool is_traced(const Local_curve& front) const
   {
-    return runs_along(m_traced, front, 0.6 + m_options.noise, m_extended);
+    return runs_along(m_traced, front, m_options.corridor(), m_extended);
   }
 
-  // what the points around `front` say of the curve between its parameters -0.5 and 0.75
+  // what the points around `front` say of the curve there
   Evidence evidence(const Local_curve& front)
   {
-    m_band.search.query(front.point, 1.8, m_ball);
+    m_band.search.query(front.point, Tracing_options::evidence_radius, m_ball);
     double agreeing = 0., opposing = 0.;
     for (std::size_t i : m_ball)
     {
       const double s = front.parameter(m_band.points[i]);
-      if (s < -0.4 || s > 0.8)
+      if (s < -Tracing_options::behind_front || s > Tracing_options::before_front)
         continue;
       const double distance = front.distance(m_band.points[i]);
-      if (distance > 1.6)
+      if (distance > Tracing_options::evidence_distance)
         continue;
-      const double weight = 1. / (0.5 + distance);
+      const double weight = 1. / (Tracing_options::evidence_weight + distance);
       const double tolerance = agreement_tolerance(m_band.deviation(i, m_options.noise));
       const double e = m_band.distances[i] - distance;
       // a point that lies nearer to another curve says nothing about this one
@@ -160,23 +165,29 @@ private:
     Local_fit_options options;
     options.radius = m_options.radius;
     options.scale = m_options.fit_scale();
-    options.iterations = 3;
-    const std::size_t most = 10 + 4 * m_band.size();
-    while (path.size() < most)
+    options.iterations = Tracing_options::fit_iterations;
+    const std::size_t most = Tracing_options::most_steps + Tracing_options::most_steps_per_point * m_band.size();
+    // a step takes some tens of microseconds
+    static constexpr std::size_t steps_between_questions = 16;
+    for (std::size_t steps = 0; path.size() < most; ++steps)
     {
+      if (steps % steps_between_questions == 0 && !goes_on(m_progress))
+        break;
       const Local_curve predicted = front.ahead(m_options.step);
       Local_curve next = predicted;
       const double residual = refine_at_front(next, predicted.point, options);
       if (next.tangent.dot(front.tangent) < std::cos(m_options.maximum_turn)
-          || (next.point - predicted.point).norm() > 0.5 * m_options.step + m_options.tolerance())
+          || (next.point - predicted.point).norm()
+            > Tracing_options::largest_jump * m_options.step + m_options.tolerance())
         next = predicted;
       length += (next.point - front.point).norm();
       front = next;
-      if (is_traced(front) || runs_along(own, front, 0.6 + m_options.noise))
+      if (is_traced(front) || runs_along(own, front, m_options.corridor()))
       {
-        if (++covered == 3)
+        if (++covered == Tracing_options::most_covered)
         {
-          supported = (std::min)(supported, path.size() - (std::min)(path.size(), std::size_t(2)));
+          // the covered steps are the other curve's
+          supported = (std::min)(supported, path.size() - (std::min)(path.size(), covered - 1));
           break;
         }
       }
@@ -208,7 +219,8 @@ private:
           break;
         }
       }
-      if (length > 5. && has_returned(start, front, m_options.step, 0.25 + m_options.tolerance()))
+      if (length > Tracing_options::shortest_closed_curve
+          && has_returned(start, front, m_options.step, Tracing_options::return_distance + m_options.tolerance()))
         return true;
     }
     path.resize(supported);
@@ -218,7 +230,7 @@ private:
   // the ball lies a little behind, where the curve is known to be
   double refine_at_front(Local_curve& front, const Vector& position, const Local_fit_options& options)
   {
-    const Vector back = -0.25 * front.tangent;
+    const Vector back = -Tracing_options::ball_behind_front * front.tangent;
     return m_fit.refine_with_best_radius(front, options, [&](Local_curve& curve, const Local_fit_options& scaled) {
       m_fit.refine_from(curve, position + scaled.radius * back, scaled);
       curve.move_along_to(position);

@@ -29,6 +29,10 @@ namespace internal {
 // What the field says of curves: which of the band's points agree with them.
 class Field_explanation
 {
+  // in sampling distances: points farther from all curves count as explained by none, whatever their distances, since
+  // a band reaches no farther than about 3; and the length of the pieces whose points are looked up at once
+  static constexpr double reach = 3.5, piece_length = 2.;
+
   const Field_band& m_band;
   std::vector<double> m_distances; // of each point of the band to the curves so far
   mutable std::vector<std::size_t> m_ball;
@@ -46,11 +50,11 @@ public:
 
   void add(const Vector& a, const Vector& b)
   {
-    const std::size_t pieces = 1 + static_cast<std::size_t>((b - a).norm() / 2.);
+    const std::size_t pieces = 1 + static_cast<std::size_t>((b - a).norm() / piece_length);
     for (std::size_t k = 0; k < pieces; ++k)
     {
       const Vector from = a + (b - a) * (double(k) / pieces), to = a + (b - a) * (double(k + 1) / pieces);
-      m_band.search.query(0.5 * (from + to), 3.5 + 0.5 * (to - from).norm(), m_ball);
+      m_band.search.query(0.5 * (from + to), reach + 0.5 * (to - from).norm(), m_ball);
       for (std::size_t i : m_ball)
         m_distances[i] = (std::min)(m_distances[i], std::sqrt(squared_distance_to_segment(m_band.points[i], from, to)));
     }

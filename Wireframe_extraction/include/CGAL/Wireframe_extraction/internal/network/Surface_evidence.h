@@ -11,6 +11,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SURFACE_EVIDENCE_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SURFACE_EVIDENCE_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/Symmetric_factorization.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
 #include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
@@ -55,9 +56,21 @@ class Surface_evidence
   };
 
   const Field_band& m_surroundings;
+  Progress* m_progress;
 
+  // in r: a window has some 18 points, three for each coefficient
   static constexpr double reach = 3., window_length = 3.;
   static constexpr std::size_t least_samples = 10;
+  // of the samples: with fewer on one side, the fold and the slope across are one
+  static constexpr std::size_t least_share_of_side = 4; // one in four
+  // in 1/r: what curvatures are expected, of a surface that is no fold (radius 8 r)
+  static constexpr double curvature_deviation = 0.06;
+  // keeps the equations regular; far below one sample's weight
+  static constexpr double regularization = 1e-6;
+  // in r: positions in files are seldom more exact
+  static constexpr double least_noise = 0.01;
+  // a window with a residual beyond this many times the noise, and what a paraboloid misses (in r), is no graph
+  static constexpr double residual_per_noise = 2., least_residual = 0.04;
   // no noise of positions is larger; points of thin walls spread as much
   static constexpr double most_residual = 0.45;
 
@@ -70,24 +83,27 @@ public:
   };
 
   // `surroundings` has points up to a distance of `reach` from all curves
-  explicit Surface_evidence(const Field_band& surroundings) : m_surroundings(surroundings) {}
+  explicit Surface_evidence(const Field_band& surroundings, Progress* progress = nullptr)
+    : m_surroundings(surroundings), m_progress(progress)
+  {}
 
-  // of the polylines that are not null
+  // of the polylines that are not null; after cancelling, nothing is known
   std::vector<Fold> folds(const std::vector<const std::vector<Vector>*>& polylines) const
   {
     std::vector<std::vector<Window>> windows = collect(polylines);
     std::vector<double> residuals;
-    for (std::vector<Window>& curve : windows)
-      for (Window& window : curve)
+    for (std::size_t c = 0; c < windows.size() && goes_on(m_progress); ++c)
+      for (Window& window : windows[c])
         if (fit(window, 0.))
           residuals.push_back(window.residual);
-    std::vector<Fold> result(polylines.size());
+    const std::vector<Fold> unknown(polylines.size());
     if (residuals.empty())
-      return result;
-    const double noise = (std::max)(0.01, median(residuals));
-    for (std::size_t c = 0; c < windows.size(); ++c)
+      return unknown;
+    std::vector<Fold> result = unknown;
+    const double noise = (std::max)(least_noise, median(residuals));
+    for (std::size_t c = 0; c < windows.size() && goes_on(m_progress); ++c)
       result[c] = combine(windows[c], noise);
-    return result;
+    return m_progress && m_progress->is_cancelled() ? unknown : result;
   }
 
 private:
@@ -102,7 +118,7 @@ private:
       lengths[c] = arc_lengths(*polylines[c]);
       windows[c].resize((std::max)(std::size_t(1), static_cast<std::size_t>(lengths[c].back() / window_length + 0.5)));
     }
-    const std::vector<Polyline_foot> feet = nearest_feet(m_surroundings, polylines, reach);
+    const std::vector<Polyline_foot> feet = nearest_feet(m_surroundings, polylines, reach, m_progress);
     for (std::size_t i = 0; i < feet.size(); ++i)
     {
       if (!feet[i].is_valid())
@@ -152,11 +168,13 @@ private:
       right += height * row;
       left += row[1] < 0.;
     }
-    if (4 * left < window.samples.size() || 4 * left > 3 * window.samples.size())
+    const std::size_t right_side = window.samples.size() - left;
+    if (least_share_of_side * (std::min)(left, right_side) < window.samples.size())
       return false;
-    static constexpr double deviations[size] = {0., 0., 0., 0., 0.06, 0.06};
+    static constexpr double deviations[size] = {0., 0., 0., 0., curvature_deviation, curvature_deviation};
     for (int k = 0; k < size; ++k)
-      normal_matrix(k, k) += 1e-6 + (deviations[k] > 0. ? noise * noise / (deviations[k] * deviations[k]) : 0.);
+      normal_matrix(k, k) +=
+        regularization + (deviations[k] > 0. ? noise * noise / (deviations[k] * deviations[k]) : 0.);
     const Symmetric_factorization factorization(normal_matrix);
     const Row solution = factorization.solved(right);
     double squares = 0.;
@@ -189,7 +207,8 @@ private:
     Vector previous = Vector::Zero();
     for (Window& window : windows)
     {
-      if (!fit(window, noise) || window.residual > (std::min)(2. * noise + 0.04, most_residual))
+      if (!fit(window, noise)
+          || window.residual > (std::min)(residual_per_noise * noise + least_residual, most_residual))
         continue;
       const double sign = window.normal.dot(previous) < 0. ? -1. : 1.;
       previous = sign * window.normal;

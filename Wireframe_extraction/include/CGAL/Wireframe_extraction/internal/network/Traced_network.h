@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_TRACED_NETWORK_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_TRACED_NETWORK_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/field/Contraction.h>
 #include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
@@ -25,7 +26,11 @@
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <functional>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -55,72 +60,155 @@ public:
     m_joining.smooth_turn = options.smooth_angle * CGAL_PI / 180.;
   }
 
-  // `proceed(share)` returns whether to go on
-  Curve_network run(std::vector<std::size_t> seeds, const std::function<bool(double)>& proceed) const
+  // after cancelling, what was found so far
+  Curve_network run(std::vector<std::size_t> seeds, Progress& progress) const
   {
-    const std::vector<Traced_curve> curves = trace(std::move(seeds), proceed);
-    Curve_network network(curves);
-    for (int pass = 0; pass < number_of_passes; ++pass)
+    Curve_network network(trace(std::move(seeds), progress));
+    double share = share_of_traces;
+    for (int pass = 0; pass < number_of_passes && progress.reach(share); ++pass)
     {
-      network = join(network, pass > 0);
+      network = join(network, pass > 0, progress);
       // smooth curves know better where they lead than traces do
-      if (!smooth(network, proceed))
-        break;
+      smooth(network, progress, share, share + share_of_pass);
+      share += share_of_pass;
     }
-    return join(network, true);
+    return join(network, true, progress);
   }
 
 private:
   static constexpr int number_of_passes = 2;
 
+  // Evidence: a curve must gain the option `minimum_evidence`, and this share of it for each r of its length. Of the
+  // seeds that no other curve explains, some are chance: curves from them must prove twice as much.
+  static constexpr double gain_per_length = 0.35;
+  static constexpr double unexplained_gain = 2., unexplained_gain_per_length = 0.7;
+  // a rounded course must be better than a corner by this share of the evidence for a curve
+  static constexpr double gain_of_rounding = 0.5;
+  // in r: where corner and round course are compared, errors count that are too small to tell whether there is a curve
+  static constexpr double sharp_tolerance = 0.06;
+  // in r: edges between found nodes, which are shorter than what the tracer follows
+  static constexpr double longest_edge = 10.;
+
+  // Traces, in r: what is shorter is too short to tell from a chance agreement, the more the field errs; and what fits
+  // worse than most points do (`noise` is their median) follows no curve.
+  static constexpr double least_length = 3., least_length_per_noise = 5.;
+  static constexpr double residual = 0.1, residual_of_seed_per_noise = 1.3, residual_per_noise = 1.6;
+  // residuals below it, in r, do not make one seed better than another
+  static constexpr double equal_residual = 0.02;
+  // in r: a field with larger errors tells no more of a fading crease than the surface did
+  static constexpr double extending_noise = 0.1;
+  // Seeds from what is left: the share of the usual ball, since a curve is near; the radius in r in which points are
+  // left, and how many of these are no chance.
+  static constexpr double share_of_ball = 0.6, unexplained_radius = 3.;
+  static constexpr std::size_t least_unexplained = 5;
+
+  // Spurs, in r: pieces that hang on nothing, or on one side only, up to a length that grows with the noise
+  static constexpr double free_spur = 4., free_spur_per_noise = 5., spur = 2., spur_per_noise = 4.;
+
+  // tangent of half the angle of a fold: below it, the surface turns by less than 17 degrees, beyond doubt
+  static constexpr double least_slope = 0.15;
+  // in r: the ball whose points say whether a place is on a crease (about seven do), and the length from which a curve
+  // stays without any
+  static constexpr double crease_radius = 1.5, longest_without_crease = 25.;
+
+  // The tips of splines: taken at most so far from the end, in r, and at most at this share of the length, since the end
+  // itself is what the joiner shall judge; with a radius of at least 2.5 r, since a shorter one is noise.
+  static constexpr double tip_depth = 1., tip_share = 0.3, largest_bend = 0.4;
+  // squared length of the derivative by the parameter, which is about 1: below it, a bend would be out of bounds
+  static constexpr double least_squared_speed = 0.25;
+  // steps of half an r, and enough of them for short splines
+  static constexpr double samples_per_length = 2.;
+  static constexpr std::size_t least_samples = 6;
+  // rounds of a fit whose splines are traced lines for the joiner, not results
+  static constexpr int rounds_of_smoothing = 2;
+
+  double least_length_of_trace() const { return least_length + least_length_per_noise * m_contraction.noise; }
+
+  // of the time, about; the last joining takes the rest
+  static constexpr double share_of_traces = 0.5, share_of_pass = 0.2;
+  // a seed takes some tens of microseconds where there is nothing to trace
+  static constexpr std::size_t seeds_between_questions = 64;
+
   double tolerance_of(std::size_t i) const { return agreement_tolerance(m_band.deviation(i, m_contraction.noise)); }
 
-  Curve_network join(Curve_network network, bool is_smooth) const
+  Curve_network join(Curve_network network, bool is_smooth, Progress& progress) const
   {
     const double least_gain = m_options.minimum_evidence;
-    const Curve_evidence evidence(m_band, m_contraction.noise);
+    const Curve_evidence evidence(m_band, m_contraction.noise, &progress);
     const auto prune = [&](const std::vector<const std::vector<Vector>*>& polylines) {
-      return evidence.prune(polylines, least_gain, 0.35 * least_gain);
+      return evidence.prune(polylines, least_gain, gain_per_length * least_gain);
     };
     Curve_end_joiner joiner(network, m_joining);
-    joiner.prune(prune);
-    joiner.join();
-    joiner.prune(prune);
-    if (m_surroundings.size() > 0)
-      joiner.prune([&](const std::vector<const std::vector<Vector>*>& polylines) { return folded(polylines); });
-    if (is_smooth)
-    {
-      const Curve_evidence sharp_evidence(m_band, m_contraction.noise, 0.06);
-      joiner.round_off(
-        [&](const Vector& center, double radius, const std::vector<const std::vector<Vector>*>& lines) {
-          return sharp_evidence.loss_around(center, radius, lines);
-        },
-        0.5 * least_gain);
-      std::vector<double> distances = evidence.distances(network.polylines());
-      joiner.add_edges_between_nodes(
-        10.,
-        [&](const std::vector<Vector>& edge) {
-          return evidence.gain_of(edge, distances) - least_gain - 0.35 * least_gain * polyline_length(edge);
-        },
-        [&](const std::vector<Vector>& edge) { evidence.add(edge, distances); });
-    }
-    joiner.drop_spurs(4. + 5. * m_contraction.noise, 2. + 4. * m_contraction.noise);
-    if (!m_band.is_on_crease.empty())
-    {
-      joiner.trim_free_ends([&](const Vector& p) { return is_on_crease(p); }, 25.);
-      joiner.join();
-      joiner.drop_spurs(4. + 5. * m_contraction.noise, 2. + 4. * m_contraction.noise);
-    }
+    const std::function<void()> steps[] = {
+      [&] { joiner.prune(prune); },
+      [&] { joiner.join(); },
+      [&] { joiner.prune(prune); },
+      [&] {
+        if (m_surroundings.size() > 0)
+          joiner.prune(
+            [&](const std::vector<const std::vector<Vector>*>& polylines) { return folded(polylines, progress); });
+      },
+      [&] {
+        if (is_smooth)
+          round_off(joiner, progress);
+      },
+      [&] {
+        if (is_smooth)
+          add_edges(joiner, network, evidence, progress);
+      },
+      [&] { drop_spurs(joiner); },
+      [&] {
+        if (m_band.is_on_crease.empty())
+          return;
+        joiner.trim_free_ends([&](const Vector& p) { return is_on_crease(p); }, longest_without_crease);
+        joiner.join();
+        drop_spurs(joiner);
+      }};
+    for (const std::function<void()>& step : steps)
+      if (progress.goes_on())
+        step();
     return network;
+  }
+
+  // after cancelling, no course is better than a corner
+  void round_off(Curve_end_joiner& joiner, Progress& progress) const
+  {
+    const Curve_evidence evidence(m_band, m_contraction.noise, &progress, sharp_tolerance);
+    joiner.round_off(
+      [&](const Vector& center, double radius, const std::vector<const std::vector<Vector>*>& lines) {
+        return progress.goes_on() ? evidence.loss_around(center, radius, lines)
+                                  : (std::numeric_limits<double>::infinity)();
+      },
+      gain_of_rounding * m_options.minimum_evidence);
+  }
+
+  // after cancelling, none is worth it
+  void add_edges(Curve_end_joiner& joiner, const Curve_network& network, const Curve_evidence& evidence,
+                 Progress& progress) const
+  {
+    const double least_gain = m_options.minimum_evidence;
+    std::vector<double> distances = evidence.distances(network.polylines());
+    joiner.add_edges_between_nodes(
+      longest_edge,
+      [&](const std::vector<Vector>& edge) {
+        const double gain =
+          evidence.gain_of(edge, distances) - least_gain - gain_per_length * least_gain * polyline_length(edge);
+        return progress.is_cancelled() ? 0. : gain;
+      },
+      [&](const std::vector<Vector>& edge) { evidence.add(edge, distances); });
+  }
+
+  void drop_spurs(Curve_end_joiner& joiner) const
+  {
+    joiner.drop_spurs(free_spur + free_spur_per_noise * m_contraction.noise,
+                      spur + spur_per_noise * m_contraction.noise);
   }
 
   // Returns which of the curves the surface does not rule out. If it rules out all, the cloud is no surface with folds,
   // and the field alone counts.
-  std::vector<char> folded(const std::vector<const std::vector<Vector>*>& polylines) const
+  std::vector<char> folded(const std::vector<const std::vector<Vector>*>& polylines, Progress& progress) const
   {
-    // of half the fold's angle: the surface turns by less than 17 degrees, beyond doubt
-    static constexpr double least_slope = 0.15;
-    const std::vector<Surface_evidence::Fold> folds = Surface_evidence(m_surroundings).folds(polylines);
+    const std::vector<Surface_evidence::Fold> folds = Surface_evidence(m_surroundings, &progress).folds(polylines);
     std::vector<char> keep(polylines.size());
     for (std::size_t c = 0; c < polylines.size(); ++c)
       keep[c] = polylines[c] && !(folds[c].is_known && folds[c].slope + folds[c].deviation < least_slope);
@@ -134,7 +222,7 @@ private:
   bool is_on_crease(const Vector& position) const
   {
     std::vector<std::size_t> found;
-    m_band.search.query(position, 1.5, found);
+    m_band.search.query(position, crease_radius, found);
     std::size_t on_crease = 0, all = 0;
     for (std::size_t i : found)
       if (i < m_band.skeleton_size)
@@ -145,8 +233,8 @@ private:
     return 2 * on_crease > all;
   }
 
-  // replaces the polylines by splines fitted to the field
-  bool smooth(Curve_network& network, const std::function<bool(double)>& proceed) const
+  // Replaces the polylines by splines fitted to the field, between these shares of the work. They stay after cancelling.
+  void smooth(Curve_network& network, Progress& progress, double first_share, double last_share) const
   {
     std::vector<Fitted_curve> fitted;
     std::vector<std::size_t> origin;
@@ -162,21 +250,25 @@ private:
         origin.push_back(c);
       }
     if (fitted.empty())
-      return true;
+      return;
     Extraction_options options = m_options;
-    options.number_of_rounds = 2;
+    options.number_of_rounds = rounds_of_smoothing;
     Spline_network_fit fit(m_band, m_contraction.noise, options, network.nodes, fitted);
-    const bool is_complete = fit.run([&](double) { return proceed(1.); });
+    const std::function<bool(double)> proceed = [&](double share) {
+      return progress.reach(first_share + share * (last_share - first_share));
+    };
+    Progress progress_of_fit(proceed);
+    if (!fit.run(progress_of_fit))
+      return;
     network.nodes = fit.vertices();
     for (std::size_t k = 0; k < origin.size(); ++k)
       sample(fit.curves()[k].spline, network.curves[origin[k]]);
-    return is_complete;
   }
 
   static void sample(const Cubic_spline& spline, Network_curve& curve)
   {
     const double length = spline.back() - spline.front();
-    const std::size_t count = (std::max)(std::size_t(6), static_cast<std::size_t>(2. * length));
+    const std::size_t count = (std::max)(least_samples, static_cast<std::size_t>(samples_per_length * length));
     curve.points.clear();
     for (std::size_t k = 0; k <= count; ++k)
       curve.points.push_back(spline.at(spline.front() + length * double(k) / double(count)));
@@ -185,7 +277,7 @@ private:
       curve.points.back() = curve.points.front();
       return;
     }
-    const double inward = (std::min)(1., 0.3 * length);
+    const double inward = (std::min)(tip_depth, tip_share * length);
     for (int e = 0; e < 2; ++e)
     {
       const Cubic_spline::Basis basis = spline.basis(e == 0 ? spline.front() + inward : spline.back() - inward);
@@ -193,24 +285,24 @@ private:
       Local_curve& tip = curve.tips[e];
       tip.point = spline.combine(basis);
       tip.tangent = (e == 0 ? -1. : 1.) * d1.normalized();
-      tip.bend = (d2 - d2.dot(tip.tangent) * tip.tangent) / (std::max)(0.25, d1.squaredNorm());
-      if (tip.bend.norm() > 0.4)
-        tip.bend *= 0.4 / tip.bend.norm();
+      tip.bend = (d2 - d2.dot(tip.tangent) * tip.tangent) / (std::max)(least_squared_speed, d1.squaredNorm());
+      if (tip.bend.norm() > largest_bend)
+        tip.bend *= largest_bend / tip.bend.norm();
       tip.move_along_to(e == 0 ? curve.points.front() : curve.points.back());
     }
   }
 
-  std::vector<Traced_curve> trace(std::vector<std::size_t> seeds, const std::function<bool(double)>& proceed) const
+  std::vector<Traced_curve> trace(std::vector<std::size_t> seeds, Progress& progress) const
   {
     const std::vector<double>& residuals = m_contraction.residuals;
     std::sort(seeds.begin(), seeds.end(), [&](std::size_t a, std::size_t b) {
-      const double ra = (std::max)(residuals[a], 0.02), rb = (std::max)(residuals[b], 0.02);
+      const double ra = (std::max)(residuals[a], equal_residual), rb = (std::max)(residuals[b], equal_residual);
       return ra < rb || (ra == rb && a < b);
     });
     const double noise = m_contraction.noise;
     std::vector<Traced_curve> curves;
     Field_explanation explanation(m_band);
-    Curve_tracer tracer(m_band, m_tracing, &explanation);
+    Curve_tracer tracer(m_band, m_tracing, &explanation, &progress);
     for (const Traced_curve& curve : m_contraction.creases)
     {
       explanation.add(curve.points);
@@ -218,7 +310,7 @@ private:
       curves.push_back(curve);
     }
     // a fading crease can be followed further in a field that is precise
-    for (std::size_t c = 0; noise < 0.1 && c < curves.size(); ++c)
+    for (std::size_t c = 0; noise < extending_noise && c < curves.size() && progress.goes_on(); ++c)
     {
       tracer.extend(curves[c], c);
       explanation.add(curves[c].points);
@@ -226,9 +318,10 @@ private:
     std::size_t done = 0;
     for (std::size_t i : seeds)
     {
-      if (++done % 256 == 0 && !proceed(double(done) / double(seeds.size())))
+      if (++done % seeds_between_questions == 0
+          && !progress.reach(share_of_traces * double(done) / double(seeds.size())))
         break;
-      if (residuals[i] > 0.1 + 1.3 * noise)
+      if (residuals[i] > residual + residual_of_seed_per_noise * noise)
         break;
       const Local_curve& seed = m_contraction.curves[i];
       if (explanation.is_explained(i, noise)
@@ -236,45 +329,53 @@ private:
           || tracer.is_traced(seed))
         continue;
       const Traced_curve curve = tracer.trace(seed);
-      if (curve.length() < 3. + 5. * noise || curve.typical_residual() > 0.1 + 1.6 * noise)
+      if (progress.is_cancelled())
+        break;
+      if (curve.length() < least_length_of_trace() || curve.typical_residual() > residual + residual_per_noise * noise)
         continue;
       explanation.add(curve.points);
       tracer.keep(curve);
       curves.push_back(curve);
     }
-    trace_unexplained(tracer, explanation, curves);
+    trace_unexplained(tracer, explanation, curves, progress);
     return curves;
   }
 
   // Curves so close to others that no fit there was good: what the others explain is set aside now.
-  void trace_unexplained(Curve_tracer& tracer, Field_explanation& explanation, std::vector<Traced_curve>& curves) const
+  void trace_unexplained(Curve_tracer& tracer, Field_explanation& explanation, std::vector<Traced_curve>& curves,
+                         Progress& progress) const
   {
     const Curve_evidence evidence(m_band, m_contraction.noise);
     Local_curve_fit fit(m_band);
     Local_fit_options fit_options;
-    fit_options.radius = 0.6 * m_options.fitting_radius;
+    fit_options.radius = share_of_ball * m_options.fitting_radius;
     fit_options.scale = m_tracing.fit_scale();
     for (std::size_t i = 0; i < m_band.skeleton_size; ++i)
     {
+      if (i % seeds_between_questions == 0 && !progress.goes_on())
+        break;
       if (explanation.is_explained(i, m_contraction.noise))
         continue;
       std::size_t unexplained = 0;
-      Local_curve seed = fit.principal_axis(m_band.points[i], 3., [&](std::size_t j) {
+      Local_curve seed = fit.principal_axis(m_band.points[i], unexplained_radius, [&](std::size_t j) {
         const bool is_left = !explanation.is_explained(j, m_contraction.noise);
         unexplained += is_left && j < m_band.skeleton_size;
         return is_left;
       });
-      if (unexplained < 5)
+      if (unexplained < least_unexplained)
         continue;
       fit.refine_from(seed, m_band.points[i], fit_options);
       seed.move_along_to(m_band.points[i]);
       if (std::abs(m_band.distances[i] - seed.distance(m_band.points[i])) > tolerance_of(i) || tracer.is_traced(seed))
         continue;
       const Traced_curve curve = tracer.trace(seed);
+      if (progress.is_cancelled())
+        break;
       // these seeds are worse than the others, so their curves must prove more
       const double length = curve.length();
-      if (length < 3. + 5. * m_contraction.noise
-          || evidence.gain_of(curve.points, explanation.distances()) < (2. + 0.7 * length) * m_options.minimum_evidence)
+      if (length < least_length_of_trace()
+          || evidence.gain_of(curve.points, explanation.distances())
+            < (unexplained_gain + unexplained_gain_per_length * length) * m_options.minimum_evidence)
         continue;
       explanation.add(curve.points);
       tracer.keep(curve);

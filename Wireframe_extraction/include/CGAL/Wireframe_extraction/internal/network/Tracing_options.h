@@ -15,22 +15,61 @@
 #include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
 
 #include <algorithm>
+#include <cstddef>
 
 namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
+// How curves are traced. Lengths are in sampling distances r, angles in radians.
 struct Tracing_options
 {
-  double noise = 0.1; // typical residual of the field near curves
-  double step = 0.5;
+  double noise = 0.1;        // typical residual of the field near curves, in r
+  double step = 0.5;         // half of what the points resolve
   double radius = 4.;        // of the balls the local fits use
-  double maximum_gap = 3.;   // bridged without any evidence
-  double maximum_turn = 0.6; // per step, in radians
+  double maximum_gap = 3.;   // bridged without any evidence: points along an edge are seldom farther apart
+  double maximum_turn = 0.6; // per step; a circle of radius r turns by 0.5
 
   double tolerance() const { return agreement_tolerance(noise); }
-  double maximum_doubt() const { return 0.25 + 4. * noise; }
-  double fit_scale() const { return (std::max)(0.15, 2. * noise); }
+
+  // The length over which the field may contradict: less than a step where it is exact, and as much more as its errors
+  // move the places where points agree.
+  static constexpr double least_doubt = 0.25, doubt_per_noise = 4.;
+  double maximum_doubt() const { return least_doubt + doubt_per_noise * noise; }
+
+  // Residuals beyond it count as outliers in the local fits: two standard deviations, but no less than what a parabola
+  // misses of a curved edge.
+  static constexpr double least_fit_scale = 0.15, fit_scale_per_noise = 2.;
+  double fit_scale() const { return (std::max)(least_fit_scale, fit_scale_per_noise * noise); }
+  static constexpr int fit_iterations = 3; // the front is nearly right already
+
+  // The width of a curve's corridor: no other one is traced in it in the same direction. Less than the distance at which
+  // two curves can be told apart, which is about r.
+  static constexpr double corridor_width = 0.6;
+  double corridor() const { return corridor_width + noise; }
+  // so many points of the path are no news to the front: five r of them, where a curve may not yet have turned away
+  static constexpr std::size_t trail = 10;
+  // so many steps within the corridor of another curve make an end: one or two are a crossing
+  static constexpr std::size_t most_covered = 3;
+
+  // The points that speak for a front or against it: around the next step, as far as the next point may be, and
+  // somewhat beyond r to the sides, where the field still changes with the front's place. They count the more the nearer.
+  static constexpr double behind_front = 0.4, before_front = 0.8, evidence_distance = 1.6;
+  static constexpr double evidence_radius = 1.8; // of a ball that holds these
+  static constexpr double evidence_weight = 0.5; // counts half at this distance
+
+  // a fit may move the front off its predicted place by this share of a step, besides the tolerance
+  static constexpr double largest_jump = 0.5;
+  // the ball of the front's fit lies behind it, by this share of its radius, where the curve is known to be
+  static constexpr double ball_behind_front = 0.25;
+
+  // no closed curve is shorter: a circle of radius 0.8 r has no points of its own
+  static constexpr double shortest_closed_curve = 5.;
+  // besides the tolerance: how far off its start a curve may come back
+  static constexpr double return_distance = 0.25;
+
+  // a curve that has more steps than this for each point of the band runs in circles
+  static constexpr std::size_t most_steps_per_point = 4, most_steps = 10;
 };
 
 } // namespace internal

@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_BUILD_NETWORK_IMPL_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_BUILD_NETWORK_IMPL_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
 #include <CGAL/Wireframe_extraction/internal/network/Subdivided_network.h>
@@ -26,7 +27,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// leaves out points closer than `spacing` to the one before, but keeps `least` inner points
+// leaves out points closer than `spacing` to the one before, or than half of that to the last one, but keeps `least`
+// inner points
 inline std::vector<Vector> thin_out(const std::vector<Vector>& polyline, double spacing, std::size_t least)
 {
   std::vector<Vector> result{polyline.front()};
@@ -55,7 +57,8 @@ inline Curve_network unthinned_network(const Skeleton_data& skeleton, const std:
   std::vector<std::size_t> seeds;
   for (const std::vector<std::size_t>& cluster : clusters)
     seeds.insert(seeds.end(), cluster.begin(), cluster.end());
-  return Traced_network(*skeleton.band, *skeleton.surroundings, *skeleton.contraction, options).run(seeds, proceed);
+  Progress progress(proceed);
+  return Traced_network(*skeleton.band, *skeleton.surroundings, *skeleton.contraction, options).run(seeds, progress);
 }
 
 CGAL_WIREFRAME_EXTRACTION_INLINE Curve_network build_network(const Skeleton_data& skeleton,
@@ -66,15 +69,17 @@ CGAL_WIREFRAME_EXTRACTION_INLINE Curve_network build_network(const Skeleton_data
 {
   if (skeleton.size() == 0)
     return Curve_network();
-  // traced points are closer than the graph needs them; those of a subdivision are few
+  // in r: traced points are closer than the graph needs them; those of a subdivision are few
   static constexpr double traced_spacing = 0.9;
   const double spacing = options.graph_method == Graph_method::SUBDIVIDED ? 0. : traced_spacing;
+  // a loop with fewer would be no cycle of a simple graph, nor two edges between the same nodes two
+  static constexpr std::size_t least_of_loop = 2, least_of_edge = 1;
   Curve_network network = unthinned_network(skeleton, corners, clusters, options, proceed);
   for (Network_curve& curve : network.curves)
   {
     const bool is_loop = curve.nodes[0] == curve.nodes[1];
     if (curve.is_alive && curve.points.size() >= 2)
-      curve.points = thin_out(curve.points, spacing, is_loop ? 2 : 1);
+      curve.points = thin_out(curve.points, spacing, is_loop ? least_of_loop : least_of_edge);
     else
       curve.is_alive = false;
   }

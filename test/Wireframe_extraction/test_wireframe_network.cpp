@@ -1,0 +1,613 @@
+// How curves are traced, what the field says of them, and that all of it stops at once: against what each promises, on
+// fields that are known in closed form.
+
+#include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
+#include <CGAL/Wireframe_extraction/internal/field/contract.h>
+#include <CGAL/Wireframe_extraction/internal/field/polyline_feet.h>
+#include <CGAL/Wireframe_extraction/internal/fit/fit_network.h>
+#include <CGAL/Wireframe_extraction/internal/network/Curve_evidence.h>
+#include <CGAL/Wireframe_extraction/internal/network/Curve_tracer.h>
+#include <CGAL/Wireframe_extraction/internal/network/build_network.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <ctime>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Wireframe_extraction::internal;
+
+typedef std::vector<Vector> Polyline;
+
+Polyline straight(const Vector& from, const Vector& to)
+{
+  const std::size_t count = (std::max)(std::size_t(1), static_cast<std::size_t>(2. * (to - from).norm()));
+  Polyline points;
+  for (std::size_t k = 0; k <= count; ++k)
+    points.push_back(from + (to - from) * (double(k) / double(count)));
+  return points;
+}
+
+struct Field_points
+{
+  std::vector<Vector> points;
+  std::vector<double> distances;
+};
+
+Field_band band_of(const Field_points& field)
+{
+  std::vector<std::size_t> order(field.points.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return field.distances[a] < field.distances[b]; });
+  Field_band band;
+  for (std::size_t i : order)
+  {
+    band.points.push_back(field.points[i]);
+    band.distances.push_back(field.distances[i]);
+    band.indices.push_back(i);
+    band.skeleton_size += field.distances[i] < 1.5;
+  }
+  band.search.build(band.points, band.size());
+  return band;
+}
+
+// Two half-planes, at right angles, that meet in the line from `first` to `last` on the x-axis, about one point for
+// each square; distances are those to the line.
+Field_points fold(double first, double last, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> jitter(-0.4, 0.4);
+  Field_points field;
+  for (double s = first + 0.5; s < last; ++s)
+    for (double t = -3.5; t < 4.; ++t)
+    {
+      const double x = s + jitter(random), d = std::abs(t + jitter(random));
+      field.points.push_back(t > 0. ? Vector(x, d, 0.) : Vector(x, 0., -d));
+      field.distances.push_back(d);
+    }
+  return field;
+}
+
+// the rim of a cylinder
+Field_points rim(double radius, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> jitter(-0.4, 0.4);
+  const double around = std::floor(2. * CGAL_PI * radius);
+  Field_points field;
+  for (double k = 0.; k < around; ++k)
+    for (double t = -3.5; t < 4.; ++t)
+    {
+      const double angle = 2. * CGAL_PI * (k + jitter(random)) / around, d = std::abs(t + jitter(random));
+      const double r = t > 0. ? radius - d : radius;
+      field.points.push_back(Vector(r * std::cos(angle), r * std::sin(angle), t > 0. ? 0. : -d));
+      field.distances.push_back(d);
+    }
+  return field;
+}
+
+Local_curve along_x(double x)
+{
+  Local_curve curve;
+  curve.point = Vector(x, 0., 0.);
+  return curve;
+}
+
+// Curve_tracer ----------------------------------------------------------------------------------------
+
+double distance_from_x_axis(const Polyline& polyline)
+{
+  double largest = 0.;
+  for (const Vector& p : polyline)
+    largest = (std::max)(largest, std::hypot(p.y(), p.z()));
+  return largest;
+}
+
+// an open curve ends where the points do, and says so; which way the seed looks does not matter
+void test_trace_of_a_line()
+{
+  std::mt19937 random(1);
+  const Field_band band = band_of(fold(-20., 20., random));
+  for (double x : {-15., 0., 12.})
+    for (double side : {-1., 1.})
+    {
+      Local_curve seed = along_x(x);
+      seed.tangent *= side;
+      const Traced_curve curve = Curve_tracer(band, Tracing_options()).trace(seed);
+      assert(!curve.is_closed && curve.ends_in_void[0] && curve.ends_in_void[1]);
+      assert(std::abs(curve.length() - 40.) < 2.);
+      assert(distance_from_x_axis(curve.points) < 0.1);
+      assert(curve.typical_residual() < 0.05);
+      for (int e = 0; e < 2; ++e)
+      {
+        const Vector& end = e == 0 ? curve.points.front() : curve.points.back();
+        assert((curve.tips[e].point - end).norm() < 1e-9);
+        assert(curve.tips[e].tangent.x() * end.x() > 0.99 * 19.);
+      }
+    }
+}
+
+void test_trace_of_a_circle()
+{
+  std::mt19937 random(2);
+  for (double radius : {5., 30.})
+  {
+    const Field_band band = band_of(rim(radius, random));
+    Local_curve seed;
+    seed.point = Vector(0., radius, 0.);
+    const Traced_curve curve = Curve_tracer(band, Tracing_options()).trace(seed);
+    assert(curve.is_closed && curve.points.front() == curve.points.back());
+    assert(std::abs(curve.length() / (2. * CGAL_PI * radius) - 1.) < 0.02);
+    for (const Vector& p : curve.points)
+      assert(std::hypot(std::hypot(p.x(), p.y()) - radius, p.z()) < 0.15);
+  }
+}
+
+// a field that says that there is no curve is no void
+void test_trace_stops_at_a_contradiction()
+{
+  std::mt19937 random(3);
+  Field_points field = fold(-30., 30., random);
+  for (std::size_t i = 0; i < field.points.size(); ++i)
+    if (field.points[i].x() > 0.)
+      field.distances[i] += field.points[i].x();
+  const Field_band band = band_of(field);
+  const Traced_curve curve = Curve_tracer(band, Tracing_options()).trace(along_x(-10.));
+  assert(!curve.is_closed && curve.ends_in_void[0] && !curve.ends_in_void[1]);
+  assert(std::abs(curve.points.back().x()) < 1.5 && curve.points.front().x() < -28.5);
+}
+
+// short gaps are crossed, long ones end a curve
+void test_trace_across_gaps()
+{
+  std::mt19937 random(4);
+  for (double gap : {2., 10.})
+  {
+    Field_points field = fold(-20., 0., random);
+    const Field_points other = fold(gap, 20., random);
+    field.points.insert(field.points.end(), other.points.begin(), other.points.end());
+    field.distances.insert(field.distances.end(), other.distances.begin(), other.distances.end());
+    const Field_band band = band_of(field);
+    const Traced_curve curve = Curve_tracer(band, Tracing_options()).trace(along_x(-10.));
+    assert(curve.ends_in_void[1]);
+    assert(std::abs(curve.points.back().x() - (gap < 3. ? 20. : 0.)) < 1.5);
+  }
+}
+
+// no curve runs along one that is kept
+void test_kept_curves_are_not_traced_again()
+{
+  std::mt19937 random(5);
+  const Field_band band = band_of(fold(-20., 20., random));
+  Curve_tracer tracer(band, Tracing_options());
+  assert(!tracer.is_traced(along_x(10.)));
+  Traced_curve kept;
+  kept.points = straight(Vector(5., 0., 0.), Vector(20., 0., 0.));
+  tracer.keep(kept);
+  assert(tracer.is_traced(along_x(10.)) && !tracer.is_traced(along_x(0.)));
+  Local_curve crossing = along_x(10.);
+  crossing.tangent = Vector::UnitY();
+  assert(!tracer.is_traced(crossing));
+  const Traced_curve curve = tracer.trace(along_x(-10.));
+  assert(std::abs(curve.points.back().x() - 5.) < 1.5 && curve.points.front().x() < -18.5);
+}
+
+// A curve that was followed further is kept as far as it now reaches, at both ends.
+void test_extended_curves_are_not_traced_again()
+{
+  std::mt19937 random(6);
+  const Field_band band = band_of(fold(-30., 30., random));
+  Curve_tracer tracer(band, Tracing_options());
+  Traced_curve other; // far away: the curve that is extended is not the first one
+  other.points = straight(Vector(0., 100., 0.), Vector(20., 100., 0.));
+  tracer.keep(other);
+  Traced_curve curve;
+  curve.points = straight(Vector(-5., 0., 0.), Vector(8., 0., 0.));
+  curve.tips[0] = along_x(-5.);
+  curve.tips[0].tangent = -Vector::UnitX();
+  curve.tips[1] = along_x(8.);
+  tracer.keep(curve);
+  tracer.extend(curve, 1);
+  assert(std::abs(curve.points.front().x() + 30.) < 1.5 && std::abs(curve.points.back().x() - 30.) < 1.5);
+  assert(distance_from_x_axis(curve.points) < 0.1);
+  assert(curve.ends_in_void[0] && curve.ends_in_void[1]);
+  for (std::size_t k = 1; k < curve.points.size(); ++k)
+  {
+    const double step = curve.points[k].x() - curve.points[k - 1].x(); // nothing is doubled
+    assert(step > 0.1 && step < 1.);
+  }
+  for (double x = -29.; x < 30.; ++x)
+    assert(tracer.is_traced(along_x(x)));
+  for (double x : {-20., 20.})
+    assert(tracer.trace(along_x(x)).length() < 2.);
+
+  // two that face each other meet, instead of running along each other
+  Curve_tracer two(band, Tracing_options());
+  Traced_curve halves[2];
+  halves[0].points = straight(Vector(-28., 0., 0.), Vector(-15., 0., 0.));
+  halves[1].points = straight(Vector(15., 0., 0.), Vector(28., 0., 0.));
+  for (Traced_curve& half : halves)
+  {
+    half.tips[0] = along_x(half.points.front().x());
+    half.tips[0].tangent = -Vector::UnitX();
+    half.tips[1] = along_x(half.points.back().x());
+    two.keep(half);
+  }
+  two.extend(halves[0], 0);
+  two.extend(halves[1], 1);
+  assert(std::abs(halves[0].points.back().x() - 15.) < 1.5);
+  assert(std::abs(halves[1].points.front().x() - 15.) < 1.5);
+}
+
+// without points there is no evidence, and what other curves explain does not contradict
+void test_evidence_at_a_front()
+{
+  std::mt19937 random(7);
+  Field_points field; // dense, or a front would now and then be without points
+  for (int k = 0; k < 4; ++k)
+  {
+    const Field_points layer = fold(-20., 20., random);
+    field.points.insert(field.points.end(), layer.points.begin(), layer.points.end());
+    field.distances.insert(field.distances.end(), layer.distances.begin(), layer.distances.end());
+  }
+  const Field_band band = band_of(field);
+  Curve_tracer tracer(band, Tracing_options());
+  assert(tracer.evidence(along_x(0.)) == Curve_tracer::SUPPORT);
+  assert(tracer.evidence(along_x(50.)) == Curve_tracer::NOTHING);
+  Local_curve beside = along_x(0.);
+  beside.point.y() = 2.;
+  assert(tracer.evidence(beside) == Curve_tracer::CONTRADICTION);
+
+  // curves so close on both sides that only what is next to the edge is not theirs
+  Field_points crowded = field;
+  for (std::size_t i = 0; i < crowded.points.size(); ++i)
+    crowded.distances[i] = (std::min)(crowded.distances[i], std::abs(crowded.distances[i] - 0.6));
+  const Field_band crowded_band = band_of(crowded);
+  Field_explanation explanation(crowded_band);
+  explanation.add(straight(Vector(-20., 0.6, 0.), Vector(20., 0.6, 0.)));
+  explanation.add(straight(Vector(-20., 0., -0.6), Vector(20., 0., -0.6)));
+  Curve_tracer ignorant(crowded_band, Tracing_options()), knowing(crowded_band, Tracing_options(), &explanation);
+  std::size_t hidden = 0;
+  for (double x = -15.; x < 15.; ++x)
+  {
+    assert(knowing.evidence(along_x(x)) == Curve_tracer::SUPPORT);
+    hidden += ignorant.evidence(along_x(x)) == Curve_tracer::CONTRADICTION;
+  }
+  assert(hidden > 15);
+}
+
+// Curve_evidence --------------------------------------------------------------------------------------
+
+// by trying everything
+struct Slow_evidence
+{
+  const Field_band& band;
+  double tolerance;
+
+  double distance(std::size_t i, const std::vector<const Polyline*>& polylines) const
+  {
+    double nearest = 4.;
+    for (const Polyline* polyline : polylines)
+      for (std::size_t k = 1; polyline && k < polyline->size(); ++k)
+        nearest = (std::min)(
+          nearest, std::sqrt(squared_distance_to_segment(band.points[i], (*polyline)[k - 1], (*polyline)[k])));
+    return nearest;
+  }
+
+  double loss(const std::vector<const Polyline*>& polylines, const Vector& center, double radius) const
+  {
+    double sum = 0.;
+    for (std::size_t i = 0; i < band.size(); ++i)
+      if ((band.points[i] - center).norm() < radius)
+      {
+        const double ratio = (band.distances[i] - distance(i, polylines)) / tolerance;
+        sum += (std::min)(1., ratio * ratio);
+      }
+    return sum;
+  }
+
+  double loss(const std::vector<const Polyline*>& polylines) const { return loss(polylines, Vector::Zero(), 1e9); }
+};
+
+void test_gains_of_curves()
+{
+  std::mt19937 random(8);
+  Field_points field = fold(-15., 15., random);
+  std::normal_distribution<double> error(0., 0.15);
+  for (double& d : field.distances)
+    d = std::abs(d + error(random));
+  const Field_band band = band_of(field);
+  for (double noise : {0.05, 0.15})
+  {
+    const Curve_evidence evidence(band, noise);
+    const Slow_evidence slow{band, (std::max)(0.2, 2.5 * noise)};
+    const Polyline line = straight(Vector(-14., 0., 0.), Vector(3., 0., 0.)),
+                   rest = straight(Vector(1., 0.2, 0.), Vector(14., 0., 0.)),
+                   aside = straight(Vector(-14., 1., -1.), Vector(14., -0.5, 0.3));
+    const std::vector<const Polyline*> all{&line, nullptr, &rest, &aside};
+    const Curve_evidence::Scores scores = evidence.scores(all);
+    assert(scores.gains[1] == 0. && scores.neighbors[1].empty());
+    for (std::size_t c : {0, 2, 3})
+    {
+      std::vector<const Polyline*> others = all;
+      others[c] = nullptr;
+      const double gain = slow.loss(others) - slow.loss(all);
+      assert(std::abs(scores.gains[c] - gain) < 1e-6);
+      const std::vector<double> distances = evidence.distances(others);
+      for (std::size_t i = 0; i < band.size(); ++i)
+        assert(std::abs(distances[i] - slow.distance(i, others)) < 1e-9);
+      // one that makes it worse for some points is not given to them: they stay with the nearest
+      std::vector<double> with = distances;
+      evidence.add(*all[c], with);
+      assert(std::abs(evidence.gain_of(*all[c], distances) - gain) < 1e-6);
+      for (std::size_t i = 0; i < band.size(); ++i)
+        assert(std::abs(with[i] - slow.distance(i, all)) < 1e-9);
+      // who would take over points, and from whom, are neighbors of each other
+      for (std::size_t other : scores.neighbors[c])
+      {
+        const std::vector<std::size_t>& back = scores.neighbors[other];
+        assert(other != c && std::find(back.begin(), back.end(), c) != back.end());
+      }
+    }
+    assert(scores.gains[0] > 10.);
+    for (double x : {-20., -5., 2., 9.})
+      for (double radius : {2., 4.})
+        assert(std::abs(evidence.loss_around(Vector(x, 0.3, 0.), radius, {&line, &rest})
+                        - slow.loss({&line, &rest}, Vector(x, 0.3, 0.), radius))
+               < 1e-6);
+  }
+}
+
+// a curve must be worth its price, and one that the field denies goes
+void test_prune_by_gain()
+{
+  std::mt19937 random(9);
+  const Field_band band = band_of(fold(-20., 20., random));
+  const Curve_evidence evidence(band, 0.1);
+  const Polyline line = straight(Vector(-20., 0., 0.), Vector(20., 0., 0.)),
+                 wrong = straight(Vector(-20., 2., 0.), Vector(20., 2., 0.));
+  const double gain = evidence.scores({&line}).gains[0];
+  assert(gain > 40.);
+  assert(evidence.prune({&line}, gain - 1e-6, 0.) == std::vector<char>{1});
+  assert(evidence.prune({&line}, gain + 1e-6, 0.) == std::vector<char>{0});
+  assert(evidence.prune({&line}, 0., (gain - 1e-6) / 40.) == std::vector<char>{1});
+  assert(evidence.prune({&line}, 0., (gain + 1e-6) / 40.) == std::vector<char>{0});
+  assert((evidence.prune({&wrong, nullptr, &line}, 2., 0.7) == std::vector<char>{0, 0, 1}));
+}
+
+// Of several curves that explain the same points one stays, the first one; without any, the points would be lost.
+void test_prune_keeps_one_of_equal_curves()
+{
+  std::mt19937 random(10);
+  Field_points field;
+  std::vector<Polyline> lines;
+  for (std::size_t k = 0; k < 40; ++k)
+  {
+    const Vector place(0., 20. * double(k), 0.);
+    const Field_points one = fold(-8., 8., random);
+    for (std::size_t i = 0; i < one.points.size(); ++i)
+    {
+      field.points.push_back(one.points[i] + place);
+      field.distances.push_back(one.distances[i]);
+    }
+    lines.push_back(straight(place - 8. * Vector::UnitX(), place + 8. * Vector::UnitX()));
+  }
+  const Field_band band = band_of(field);
+  for (std::size_t copies : {2, 3})
+  {
+    std::vector<const Polyline*> polylines;
+    for (std::size_t copy = 0; copy < copies; ++copy)
+      for (const Polyline& line : lines)
+        polylines.push_back(&line);
+    const std::vector<char> keep = Curve_evidence(band, 0.1).prune(polylines, 2., 0.7);
+    for (std::size_t c = 0; c < keep.size(); ++c)
+      assert(bool(keep[c]) == (c < lines.size()));
+  }
+}
+
+// The same where one of them is the nearest for all points, as along the border of a surface: the other one has no point
+// of its own, and yet there is none left if both go.
+void test_prune_at_a_border()
+{
+  std::mt19937 random(11);
+  Field_points field = fold(-20., 20., random);
+  for (std::size_t i = 0; i < field.points.size(); ++i) // all on one side
+    field.points[i] = Vector(field.points[i].x(), field.distances[i], 0.);
+  const Field_band band = band_of(field);
+  const Polyline inner = straight(Vector(-20., 0., 0.), Vector(20., 0., 0.)),
+                 outer = straight(Vector(-20., -0.03, 0.), Vector(20., -0.03, 0.)),
+                 longer = straight(Vector(-21., -0.05, 0.), Vector(21., -0.05, 0.));
+  const Curve_evidence evidence(band, 0.1);
+  assert((evidence.prune({&inner, &outer}, 2., 0.7) == std::vector<char>{1, 0}));
+  assert((evidence.prune({&outer, &inner}, 2., 0.7) == std::vector<char>{0, 1}));
+  assert((evidence.prune({&longer, &outer, &inner}, 2., 0.7) == std::vector<char>{0, 0, 1}));
+}
+
+// the worst goes first, and what it leaves may be enough for the others
+void test_prune_worst_first()
+{
+  std::mt19937 random(12);
+  const Field_band band = band_of(fold(-20., 20., random));
+  const Polyline whole = straight(Vector(-20., 0., 0.), Vector(20., 0., 0.));
+  std::vector<Polyline> pieces;
+  for (double x = -20.; x < 20.; x += 8.)
+    pieces.push_back(straight(Vector(x, 0.05, 0.), Vector(x + 8., 0.05, 0.)));
+  std::vector<const Polyline*> polylines = pointers_to(pieces);
+  polylines.push_back(&whole);
+  const std::vector<char> keep = Curve_evidence(band, 0.1).prune(polylines, 2., 0.7);
+  double covered = 0.;
+  for (std::size_t c = 0; c < keep.size(); ++c)
+    if (keep[c])
+      covered += polyline_length(*polylines[c]);
+  assert(std::abs(covered - 40.) < 1e-6); // all of the line, once
+}
+
+// Cancelling ------------------------------------------------------------------------------------------
+
+// boxes in a row, the points near their edges, with errors
+Skeleton_data boxes(std::size_t number, double size, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> jitter(-0.4, 0.4);
+  std::normal_distribution<double> error(0., 0.1);
+  Field_points field;
+  for (std::size_t k = 0; k < number; ++k)
+    for (int axis = 0; axis < 3; ++axis)
+      for (int side = 0; side < 2; ++side)
+        for (double u = 0.5; u < size; ++u)
+          for (double v = 0.5; v < size; ++v)
+          {
+            const double a = u + jitter(random), b = v + jitter(random);
+            const double d = (std::min)((std::min)(a, size - a), (std::min)(b, size - b));
+            if (d > 4.)
+              continue;
+            Vector p;
+            p[axis] = side * size;
+            p[(axis + 1) % 3] = a;
+            p[(axis + 2) % 3] = b;
+            field.points.push_back(p + Vector(2. * size * double(k), 0., 0.));
+            field.distances.push_back(std::abs(d + error(random)));
+          }
+  Skeleton_data skeleton;
+  skeleton.band = std::make_shared<Field_band>(band_of(field));
+  skeleton.surroundings = std::make_shared<Field_band>(band_of(field));
+  const bool is_contracted = contract(skeleton, Extraction_options(), [](double) { return true; });
+  assert(is_contracted && !skeleton.contraction->is_precise());
+  return skeleton;
+}
+
+// Runs `work(proceed)` to its end, then cancels it after every so many calls. There must be calls all the time; after
+// the refusal none, and nothing but a small share of the work. Time is that of the processor, since others use it too.
+template <class Work, class Check>
+void check_cancelling(const Work& work, const Check& check)
+{
+  const auto now = [] { return double(std::clock()) / CLOCKS_PER_SEC; };
+  std::size_t calls = 0;
+  double longest_pause = 0., last_share = 0., last_call = now();
+  const double begin = last_call;
+  check(work([&](double share) {
+          assert(share >= last_share && share <= 1.);
+          last_share = share;
+          ++calls;
+          longest_pause = (std::max)(longest_pause, now() - last_call);
+          last_call = now();
+          return true;
+        }),
+        true);
+  const double all = now() - begin;
+  longest_pause = (std::max)(longest_pause, now() - last_call);
+  assert(calls > 100 && last_share > 0.6);
+  assert(longest_pause < 0.1 * all);
+  for (std::size_t k = 0; k <= 12; ++k)
+  {
+    const std::size_t most = 1 + k * (calls - 2) / 12;
+    std::size_t made = 0;
+    double refused = 0.;
+    const auto result = work([&](double) {
+      assert(made < most);
+      if (++made < most)
+        return true;
+      refused = now();
+      return false;
+    });
+    assert(made == most);
+    assert(now() - refused < 0.1 * all);
+    check(result, false);
+  }
+}
+
+std::vector<std::size_t> skeleton_indices(const Skeleton_data& skeleton)
+{
+  std::vector<std::size_t> indices(skeleton.size());
+  std::iota(indices.begin(), indices.end(), std::size_t(0));
+  return indices;
+}
+
+std::vector<Fitted_curve> curves_of(const Curve_network& network)
+{
+  std::vector<Fitted_curve> curves;
+  for (const Network_curve& curve : network.curves)
+    if (curve.is_alive)
+    {
+      Fitted_curve fitted;
+      fitted.path = curve.points;
+      fitted.vertices = curve.nodes;
+      curves.push_back(fitted);
+    }
+  return curves;
+}
+
+void test_cancelling()
+{
+  std::mt19937 random(13);
+  const std::size_t number = 3;
+  const Skeleton_data skeleton = boxes(number, 30., random);
+  const Extraction_options options;
+  Curve_network network;
+  check_cancelling(
+    [&](const std::function<bool(double)>& proceed) {
+      return build_network(skeleton, {}, {skeleton_indices(skeleton)}, options, proceed);
+    },
+    [&](const Curve_network& result, bool is_complete) {
+      for (const Network_curve& curve : result.curves)
+        if (curve.is_alive)
+        {
+          assert(curve.points.size() >= 2);
+          for (const Vector& p : curve.points)
+            assert(p.allFinite());
+        }
+      if (!is_complete)
+        return;
+      assert(curves_of(result).size() == 12 * number);
+      network = result;
+    });
+  check_cancelling(
+    [&](const std::function<bool(double)>& proceed) {
+      std::vector<Fitted_curve> curves = curves_of(network);
+      std::vector<Vector> vertices = network.nodes;
+      const bool is_complete = fit_network(skeleton, options, vertices, curves, proceed);
+      return std::make_pair(is_complete, curves);
+    },
+    [&](const std::pair<bool, std::vector<Fitted_curve>>& result, bool is_complete) {
+      assert(result.first == is_complete);
+      for (const Fitted_curve& curve : result.second)
+      {
+        assert((curve.support > 50) == is_complete);
+        for (double share = 0.; share <= 1.; share += 0.25) // near the box's edges, and the same in between
+        {
+          Vector p = curve.spline.at(curve.spline.front() + share * (curve.spline.back() - curve.spline.front()));
+          p.x() = std::fmod(p.x() + 10., 60.) - 10.;
+          std::size_t on_planes = 0;
+          for (int axis = 0; axis < 3; ++axis)
+            on_planes += (std::min)(std::abs(p[axis]), std::abs(p[axis] - 30.)) < 0.5;
+          assert(on_planes >= 2);
+        }
+      }
+    });
+}
+
+} // namespace
+
+int main()
+{
+  test_trace_of_a_line();
+  test_trace_of_a_circle();
+  test_trace_stops_at_a_contradiction();
+  test_trace_across_gaps();
+  test_kept_curves_are_not_traced_again();
+  test_extended_curves_are_not_traced_again();
+  test_evidence_at_a_front();
+  test_gains_of_curves();
+  test_prune_by_gain();
+  test_prune_keeps_one_of_equal_curves();
+  test_prune_at_a_border();
+  test_prune_worst_first();
+  test_cancelling();
+}
