@@ -37,7 +37,8 @@ count as four standard deviations at most, and two stations as one independent o
 the field. A curve that is none of them is cut: dynamic programming finds the lines and arcs, and the splines between them, of
 least Bayesian information criterion \cgalCite{Sch78}, so that a slot becomes two lines and two arcs. Three arcs of circles in a
 row are no evidence of arcs, for any smooth curve can be approximated so, and with fewer than three stations nothing is
-recognized: such curves stay splines.
+recognized: such curves stay splines. So do those that a line, a circle or an ellipse would replace that does not stay, along
+its whole length, within 1 r and four standard deviations of the spline; a little more over gaps, and 3 r around vertices.
 
 Then all lines, circles and ellipses are fitted once more, at once, with the vertices as common parameters: corners stay on
 all their curves, and where a cut joins a line and an arc, or two arcs, their tangents agree, if that is not less likely than

@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_CURVE_CUTTER_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_CURVE_CUTTER_H
 
+#include <CGAL/Wireframe_extraction/internal/types/Primitive_course.h>
 #include <CGAL/Wireframe_extraction/internal/types/Primitive_fit.h>
 
 #include <algorithm>
@@ -127,7 +128,8 @@ private:
       return piece;
     const auto fit = std::make_shared<Primitive_fit>(kind, range(first, size), m_significance);
     if (fit->is_valid && fit->misfit.probability(fit->curve.number_of_parameters()) >= m_significance
-        && runs_forward(fit->curve, first, size) && reaches_ends(fit->curve, first, size))
+        && runs_forward(fit->curve, first, size) && reaches_ends(fit->curve, first, size)
+        && Primitive_course(fit->curve).follows(range(first, size), is_whole_loop))
       piece.fit = fit;
     return piece;
   }

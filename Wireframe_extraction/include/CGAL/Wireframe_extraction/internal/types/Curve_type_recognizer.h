@@ -15,6 +15,7 @@
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
 #include <CGAL/Wireframe_extraction/internal/types/Curve_cutter.h>
 #include <CGAL/Wireframe_extraction/internal/types/Curve_stations.h>
+#include <CGAL/Wireframe_extraction/internal/types/Primitive_course.h>
 #include <CGAL/Wireframe_extraction/internal/types/Primitive_network_fit.h>
 #include <CGAL/Wireframe_extraction/internal/types/Typed_piece.h>
 
@@ -445,7 +446,22 @@ private:
     return curve.is_finite() && (curve.kind == Primitive_kind::LINE || curve.minor_radius > 1e-3)
       && Primitive_fit::misfit_of(curve, range(candidate, candidate.pieces[i]))
            .probability(curve.number_of_parameters())
-      >= m_significance;
+      >= m_significance
+      && keeps_course(curve, network, edge, candidate, i);
+  }
+
+  // whether the curve that would be written stays with the one that it replaces
+  bool keeps_course(const Primitive_curve& curve, const Primitive_network_fit& network, const Primitive_edge& edge,
+                    const Candidate& candidate, std::size_t i) const
+  {
+    const Primitive_course course(curve);
+    const Station_range stations = range(candidate, candidate.pieces[i]);
+    if (!edge.has_vertex())
+      return course.follows(stations, true);
+    const auto end = [&](int e) {
+      return Primitive_course::End{network.vertices[edge.vertices[e]], m_anchors[edge.vertices[e]]};
+    };
+    return edge.is_loop() ? course.follows(stations, end(0)) : course.follows(stations, end(0), end(1));
   }
 
   void write(Primitive_network_fit& network, const std::vector<std::vector<std::size_t>>& edges,
