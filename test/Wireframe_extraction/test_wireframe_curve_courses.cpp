@@ -1,4 +1,4 @@
-// No line, circle or ellipse leaves the points that it stands for, along its whole length.
+// No line, circle or ellipse leaves the points that it stands for, along its whole length; and cancelling the recognition.
 
 #include <CGAL/Wireframe_extraction/internal/field/complete_band.h>
 #include <CGAL/Wireframe_extraction/internal/types/Primitive_course.h>
@@ -8,6 +8,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <random>
@@ -84,13 +85,14 @@ Untyped_curve untyped(const Polyline& polyline)
   return result;
 }
 
-Recognized_pieces recognized(const Skeleton_data& field, const Polyline& polyline, double noise, bool regularize)
+Recognized_pieces recognized(const Skeleton_data& field, const Polyline& polyline, double noise, bool regularize,
+                             const std::function<bool(double)>& proceed = {})
 {
   Extraction_options options;
   options.noise_level = noise;
   options.regularize = regularize;
   std::vector<Untyped_curve> curves(1, untyped(polyline));
-  return recognize_pieces(field, options, {polyline.front(), polyline.back()}, curves);
+  return recognize_pieces(field, options, {polyline.front(), polyline.back()}, curves, proceed);
 }
 
 // of the piece, as it is written: from vertex through the middle to vertex
@@ -291,6 +293,30 @@ void test_gaps()
   assert(!follows(sides, open, u));
 }
 
+// Wherever it is cancelled, nothing is asked afterwards, and nothing comes back.
+void test_cancelling()
+{
+  const Polyline u = u_shape(13., 40., 6.);
+  const Skeleton_data field = field_around(u);
+  std::size_t calls = 0;
+  double last = 0.;
+  const Recognized_pieces all = recognized(field, u, 0.05, true, [&](double share) {
+    assert(share >= last && share <= 1.);
+    last = share;
+    ++calls;
+    return true;
+  });
+  assert(!all.is_cancelled && !all.pieces.empty());
+  assert(calls > 20 && last > 0.5); // while the curve is cut, and in the common fit
+  for (std::size_t most = 0; most < calls; most += most < 10 ? 1 : 7)
+  {
+    std::size_t count = 0;
+    const Recognized_pieces none = recognized(field, u, 0.05, true, [&](double) { return ++count <= most; });
+    assert(none.is_cancelled && none.pieces.empty() && none.regularities.empty());
+    assert(count == most + 1);
+  }
+}
+
 } // namespace
 
 int main()
@@ -299,5 +325,6 @@ int main()
   test_wrong_courses();
   test_gaps();
   test_nothing_runs_away();
+  test_cancelling();
   return 0;
 }

@@ -82,6 +82,12 @@ all their curves, and where a cut joins a line and an arc, or two arcs, their ta
     \cgalParamType{`double`}
     \cgalParamDefault{20}
   \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{a function that is called with the share that is done and returns whether to go on}
+    \cgalParamType{an instance of `std::function<bool(double)>`}
+    \cgalParamDefault{unused}
+    \cgalParamExtra{After cancelling, the wireframe is empty, and the status in the report is `CANCELLED`.}
+  \cgalParamNEnd
   \cgalParamNBegin{noise_level}
     \cgalParamDescription{the standard deviation of the distances, in multiples of r}
     \cgalParamType{`double`}
@@ -109,8 +115,13 @@ template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTrai
                                        std::ref(own_report))
       .get();
   const internal::Extraction_options options = internal::extraction_options(np);
-  return internal::run_concurrently<ConcurrencyTag>(
-    [&] { return internal::recognize(skeleton, wireframe, options, report.regularities); });
+  const std::function<bool(double)> proceed = internal::progress_callback(np);
+  Wireframe<GeomTraits> result;
+  internal::run_concurrently<ConcurrencyTag>([&] {
+    if (!internal::recognize(skeleton, wireframe, options, proceed, result, report.regularities))
+      report.status = Wireframe_extraction_report::Status::CANCELLED;
+  });
+  return result;
 }
 
 } // namespace Wireframe_extraction
