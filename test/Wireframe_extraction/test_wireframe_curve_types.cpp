@@ -6,6 +6,7 @@
 #include <CGAL/Wireframe_extraction/internal/types/Primitive_curve.h>
 #include <CGAL/Wireframe_extraction/internal/types/Primitive_fit.h>
 #include <CGAL/Wireframe_extraction/internal/types/Primitive_network_fit.h>
+#include <CGAL/Wireframe_extraction/internal/types/Primitive_parts.h>
 
 #include <algorithm>
 #include <array>
@@ -329,6 +330,128 @@ void test_common_fit()
   }
 }
 
+// A line and an arc that goes on from it, and an elliptic arc beside them, many times over, far from each other.
+Primitive_network_fit network_of_parts(std::size_t number_of_hooks, bool has_tangencies)
+{
+  Primitive_network_fit network;
+  for (std::size_t i = 0; i < number_of_hooks; ++i)
+  {
+    const Vector shift(0., 0., 50. * double(i));
+    const std::size_t v = network.vertices.size(), e = network.edges.size();
+    for (const Vector& place : {Vector(0., 0., 0.), Vector(20., 0., 0.), Vector(30., 10., 0.), Vector(30., 40., 0.)})
+      network.vertices.push_back(place + shift + 0.2 * random_direction());
+    Primitive_edge line, arc, ellipse;
+    line.vertices = {{v, v + 1}};
+    line.stations = stations_along([&](double s) { return Vector(Vector(s, 0., 0.) + shift); }, 20., 0.05);
+    arc.kind = Primitive_kind::CIRCLE;
+    arc.vertices = {{v + 1, v + 2}};
+    arc.stations = stations_along(
+      [&](double s) {
+        return Vector(Vector(20. + 10. * std::sin(0.1 * s), 10. - 10. * std::cos(0.1 * s), 0.) + shift);
+      },
+      5. * pi, 0.05);
+    arc.points[0] = arc.stations[arc.stations.size() / 2].position;
+    ellipse.kind = Primitive_kind::ELLIPSE;
+    ellipse.vertices = {{v + 2, v + 3}};
+    Primitive_curve curve;
+    curve.kind = Primitive_kind::ELLIPSE;
+    curve.center = shift + Vector(30., 25., 0.);
+    curve.axis = Vector::UnitZ();
+    curve.major = Vector::UnitY();
+    curve.major_radius = 15.;
+    curve.minor_radius = 10.;
+    ellipse.points = {{curve.center, curve.at(0.), curve.at(0.5 * pi)}};
+    ellipse.stations = stations_on(curve, -pi, 0., 20, 0.05);
+    for (const Primitive_edge& edge : {line, arc, ellipse})
+      network.edges.push_back(edge);
+    if (has_tangencies)
+      network.tangencies.push_back({v + 1, {{e, e + 1}}});
+    network.spline_ends.push_back({v, network.vertices[v], Vector::UnitY(), 0.2});
+  }
+  return network;
+}
+
+// the largest difference of vertices and shapes
+double difference(Primitive_network_fit& one, Primitive_network_fit& two)
+{
+  double largest = 0.;
+  for (std::size_t v = 0; v < one.vertices.size(); ++v)
+    largest = (std::max)(largest, (one.vertices[v] - two.vertices[v]).norm());
+  for (std::size_t k = 0; k < one.edges.size(); ++k)
+  {
+    assert(one.is_violated(k) == two.is_violated(k));
+    for (const Station& station : one.edges[k].stations)
+      largest = (std::max)(largest,
+                           (one.edges[k].curve(one.vertices).foot(station.position)
+                            - two.edges[k].curve(two.vertices).foot(station.position))
+                             .norm());
+  }
+  return largest;
+}
+
+// What is not connected is fitted by itself, with the same result; and what was fitted before is not fitted again.
+void test_parts()
+{
+  for (const bool has_tangencies : {false, true})
+  {
+    const Primitive_network_fit network = network_of_parts(5, has_tangencies);
+    Primitive_network_fit whole = network, in_parts = network;
+    whole.run();
+    Primitive_parts parts;
+    parts.run(in_parts, nullptr);
+    assert(parts.number_of_fits() == 5);
+    assert(difference(whole, in_parts) < 1e-5); // as close as the solver comes to the minimum
+    Primitive_network_fit again = network;
+    parts.run(again, nullptr);
+    assert(parts.number_of_fits() == 5 && difference(again, in_parts) == 0.);
+    // all that a part depends on tells it from another
+    const std::array<std::function<void(Primitive_network_fit&)>, 5> changes = {
+      {[](Primitive_network_fit& n) { n.vertices[4] += Vector(0.1, 0., 0.); },
+       [](Primitive_network_fit& n) { n.edges[3].stations.pop_back(); },
+       [](Primitive_network_fit& n) { n.spline_ends[1].deviation *= 2.; },
+       [](Primitive_network_fit& n) { n.edges[4].points[0] += Vector(0.1, 0., 0.); },
+       [](Primitive_network_fit& n) {
+         if (n.tangencies.empty())
+           n.tangencies.push_back({5, {{3, 4}}});
+         else
+           n.tangencies.erase(n.tangencies.begin() + 1);
+       }}};
+    for (const auto& change : changes)
+    {
+      Primitive_network_fit changed = network;
+      change(changed);
+      Primitive_network_fit reference = changed;
+      const std::size_t before = parts.number_of_fits();
+      parts.run(changed, nullptr);
+      assert(parts.number_of_fits() == before + 1);
+      reference.run();
+      assert(difference(changed, reference) < 1e-5);
+      assert((changed.vertices[0] - in_parts.vertices[0]).norm() == 0.);
+    }
+    // a regularity connects what it is about; the others are left as they are
+    Primitive_network_fit regular = in_parts;
+    regular.regularities.push_back({Regularity_kind::EQUAL_RADII, {{1, 7}}});
+    const std::size_t before = parts.number_of_fits();
+    parts.run(regular, nullptr, true);
+    assert(parts.number_of_fits() == before + 1);
+    const Primitive_curve one = regular.edges[1].curve(regular.vertices),
+                          two = regular.edges[7].curve(regular.vertices);
+    assert(std::abs(one.major_radius - two.major_radius) < 1e-8);
+    assert((regular.vertices[4] - in_parts.vertices[4]).norm() == 0.);
+  }
+}
+
+// A solver stops where it is told to.
+void test_cancelled_fit()
+{
+  int calls = 0;
+  const std::function<bool(double)> proceed = [&](double) { return ++calls < 4; };
+  Cancellation cancellation(proceed);
+  Primitive_network_fit network = network_of_parts(3, true);
+  Primitive_parts().run(network, &cancellation);
+  assert(cancellation.is_cancelled() && calls == 4);
+}
+
 // An elliptic arc between two vertices that lines hold passes through them.
 void test_elliptic_arc()
 {
@@ -433,6 +556,113 @@ void test_regularities()
   }
 }
 
+Measured_curve measured(const Primitive_curve& curve, double deviation)
+{
+  Measured_curve result;
+  result.curve = curve;
+  result.position_deviation = result.radius_deviation = deviation;
+  result.direction_deviation = 0.1 * deviation;
+  return result;
+}
+
+Primitive_curve circle_at(const Vector& center, const Vector& axis, double radius)
+{
+  Primitive_curve result;
+  result.kind = Primitive_kind::CIRCLE;
+  result.center = center;
+  result.axis = axis.normalized();
+  result.major = result.axis.unitOrthogonal();
+  result.major_radius = result.minor_radius = radius;
+  return result;
+}
+
+std::size_t count_between(const Primitive_curve& one, const Primitive_curve& two, double deviation,
+                          Regularity_kind kind)
+{
+  const std::vector<Measured_curve> curves{measured(one, deviation), measured(two, deviation)};
+  return count(Regularity_finder(curves).run(), kind);
+}
+
+// Three standard deviations of the difference decide, but never less than 0.02 r and 0.002 rad, or more than 0.3 r and
+// 0.05 rad.
+void test_bounds_of_regularities()
+{
+  struct Bound
+  {
+    double deviation, length, angle;
+  };
+  for (const Bound& bound :
+       {Bound{0., 0.02, 0.002}, Bound{0.03, 0.09 * std::sqrt(2.), 0.009 * std::sqrt(2.)}, Bound{10., 0.3, 0.05}})
+    for (const double factor : {0.97, 1.03})
+    {
+      const std::size_t holds = factor < 1. ? 1 : 0;
+      const Primitive_curve circle = circle_at(Vector(1., 2., 3.), Vector(0., 0., 1.), 8.);
+      const double length = factor * bound.length, angle = factor * bound.angle;
+      const auto between = [&](const Primitive_curve& other, Regularity_kind kind) {
+        return count_between(circle, other, bound.deviation, kind);
+      };
+      assert(between(circle_at(Vector(40., 0., 0.), Vector(0., 0., 1.), 8. + length), Regularity_kind::EQUAL_RADII)
+             == holds);
+      assert(between(circle_at(Vector(1., 2. + length, 30.), Vector(0., 0., 1.), 3.), Regularity_kind::COAXIAL)
+             == holds);
+      const Vector tilted(std::sin(angle), 0., std::cos(angle)), upright(std::cos(angle), 0., std::sin(angle));
+      assert(between(circle_at(Vector(1., 2., 30.), tilted, 3.), Regularity_kind::COAXIAL) == holds);
+      assert(between(circle_at(Vector(40., 0., 0.), tilted, 3.), Regularity_kind::PARALLEL) == holds);
+      assert(between(circle_at(Vector(40., 0., 0.), -tilted, 3.), Regularity_kind::PARALLEL) == holds);
+      assert(between(Primitive_curve::line(Vector::Zero(), 9. * tilted), Regularity_kind::PARALLEL) == holds);
+      assert(between(circle_at(Vector(40., 0., 0.), upright, 3.), Regularity_kind::ORTHOGONAL) == holds);
+      assert(between(Primitive_curve::line(Vector::Zero(), 9. * upright), Regularity_kind::ORTHOGONAL) == holds);
+    }
+}
+
+void test_who_is_regular()
+{
+  // lines have no radii and ellipses nothing that others could have
+  const Primitive_curve circle = circle_at(Vector::Zero(), Vector::UnitZ(), 8.);
+  Primitive_curve ellipse = circle;
+  ellipse.kind = Primitive_kind::ELLIPSE;
+  const Primitive_curve line = Primitive_curve::line(Vector(0., 0., -1.), Vector(0., 0., 1.));
+  for (const Regularity_kind kind :
+       {Regularity_kind::EQUAL_RADII, Regularity_kind::COAXIAL, Regularity_kind::PARALLEL, Regularity_kind::ORTHOGONAL})
+  {
+    assert(count_between(circle, ellipse, 0.01, kind) == 0 && count_between(line, ellipse, 0.01, kind) == 0);
+    assert(count_between(circle, line, 0.01, kind) == (kind == Regularity_kind::PARALLEL ? 1 : 0));
+  }
+  // all agree with the most certain of them, which comes first, and not in a chain
+  std::vector<Measured_curve> chain;
+  for (int i = 0; i < 4; ++i)
+    chain.push_back(measured(circle_at(Vector(30. * i, 0., 0.), Vector::UnitZ(), 8. + 0.03 * i), 0.01));
+  chain[1].radius_deviation = 0.001;
+  std::vector<std::array<std::size_t, 2>> pairs;
+  for (const Regularity& regularity : Regularity_finder(chain).run())
+    if (regularity.kind == Regularity_kind::EQUAL_RADII)
+      pairs.push_back(regularity.curves);
+  std::sort(pairs.begin(), pairs.end());
+  assert(pairs == (std::vector<std::array<std::size_t, 2>>{{{1, 0}}, {{1, 2}}}));
+}
+
+// Where the stations leave a curve for good at an end, turn back, or go round more than once, it is not the curve's.
+void test_refused_courses()
+{
+  const Primitive_curve line = Primitive_curve::line(Vector::Zero(), Vector(1., 0., 0.));
+  std::vector<Station> stations = stations_on(line, 0., 45., 30, 0.02);
+  stations[15].position += Vector(0., 0.8, 0.);
+  assert(cut(stations).size() == 1 && cut(stations)[0].is_line()); // an error in the middle
+  stations.front().position += Vector(0., 1.5, 0.);
+  const std::vector<Station> off = stations;
+  const std::vector<Curve_piece> pieces =
+    Curve_cutter(off, 0.7, {{off.front().position, off.back().position}}, false, 0.001).run();
+  assert(pieces.size() > 1 || !pieces[0].fit); // its vertex is there, too
+  // forth and back on one line
+  const auto turning = [](double s) { return Vector(s < 20. ? s : 40. - s, 0., 0.); };
+  for (const Curve_piece& piece : cut(stations_along(turning, 40., 0.02)))
+    assert(!piece.fit || piece.size < 20);
+  // one and a half times round
+  const Primitive_curve circle = circle_at(Vector::Zero(), Vector::UnitZ(), 8.);
+  for (const Curve_piece& piece : cut(stations_on(circle, 0., 3. * pi, 50, 0.02)))
+    assert(!piece.fit || piece.size < 40);
+}
+
 } // namespace
 
 int main()
@@ -449,5 +679,10 @@ int main()
   test_common_fit();
   test_elliptic_arc();
   test_regularities();
+  test_parts();
+  test_cancelled_fit();
+  test_bounds_of_regularities();
+  test_who_is_regular();
+  test_refused_courses();
   return 0;
 }

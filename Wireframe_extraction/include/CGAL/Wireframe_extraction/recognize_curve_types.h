@@ -37,7 +37,8 @@ count as four standard deviations at most, and two stations as one independent o
 the field. A curve that is none of them is cut: dynamic programming finds the lines and arcs, and the splines between them, of
 least Bayesian information criterion \cgalCite{Sch78}, so that a slot becomes two lines and two arcs. Three arcs of circles in a
 row are no evidence of arcs, for any smooth curve can be approximated so, and with fewer than three stations nothing is
-recognized: such curves stay splines.
+recognized: such curves stay splines. So do those that a line, a circle or an ellipse would replace that does not stay, along
+its whole length, within 1 r and four standard deviations of the spline; a little more over gaps, and 3 r around vertices.
 
 Then all lines, circles and ellipses are fitted once more, at once, with the vertices as common parameters: corners stay on
 all their curves, and where a cut joins a line and an arc, or two arcs, their tangents agree, if that is not less likely than
@@ -81,6 +82,12 @@ all their curves, and where a cut joins a line and an arc, or two arcs, their ta
     \cgalParamType{`double`}
     \cgalParamDefault{20}
   \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{a function that is called with the share that is done and returns whether to go on}
+    \cgalParamType{an instance of `std::function<bool(double)>`}
+    \cgalParamDefault{unused}
+    \cgalParamExtra{After cancelling, the wireframe is empty, and the status in the report is `CANCELLED`.}
+  \cgalParamNEnd
   \cgalParamNBegin{noise_level}
     \cgalParamDescription{the standard deviation of the distances, in multiples of r}
     \cgalParamType{`double`}
@@ -108,8 +115,13 @@ template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTrai
                                        std::ref(own_report))
       .get();
   const internal::Extraction_options options = internal::extraction_options(np);
-  return internal::run_concurrently<ConcurrencyTag>(
-    [&] { return internal::recognize(skeleton, wireframe, options, report.regularities); });
+  const std::function<bool(double)> proceed = internal::progress_callback(np);
+  Wireframe<GeomTraits> result;
+  internal::run_concurrently<ConcurrencyTag>([&] {
+    if (!internal::recognize(skeleton, wireframe, options, proceed, result, report.regularities))
+      report.status = Wireframe_extraction_report::Status::CANCELLED;
+  });
+  return result;
 }
 
 } // namespace Wireframe_extraction

@@ -236,7 +236,7 @@ private:
     if (!m_options.recognize_types)
       return true;
     if (!stage("types", 1.,
-               [&] { m_wireframe = recognize(m_skeleton, m_wireframe, m_options, m_report.regularities); }))
+               [&] { recognize(m_skeleton, m_wireframe, m_options, m_progress, m_wireframe, m_report.regularities); }))
       return false;
     visitor.types_recognized(m_wireframe);
     return true;

@@ -12,6 +12,8 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_CURVE_CUTTER_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_CURVE_CUTTER_H
 
+#include <CGAL/Wireframe_extraction/internal/types/Cancellation.h>
+#include <CGAL/Wireframe_extraction/internal/types/Primitive_course.h>
 #include <CGAL/Wireframe_extraction/internal/types/Primitive_fit.h>
 
 #include <algorithm>
@@ -53,15 +55,17 @@ class Curve_cutter
   const bool m_is_closed;
   const double m_significance, m_log_size;
   const std::vector<double> m_spline_costs;
+  Cancellation* const m_cancellation;
   mutable std::map<std::tuple<Primitive_kind, std::size_t, std::size_t>, Curve_piece> m_known;
 
 public:
   // `density` is the number of parameters that the spline has per station; `ends` are those of the curve, which count
-  // unless it is closed and free of vertices
+  // unless it is closed and free of vertices. After cancelling, what run() returns is of no use.
   Curve_cutter(const std::vector<Station>& stations, double density, const std::array<Vector, 2>& ends, bool is_closed,
-               double significance)
+               double significance, Cancellation* cancellation = nullptr)
     : m_stations(stations), m_ends(ends), m_is_closed(is_closed), m_significance(significance),
-      m_log_size(std::log(2. * double(stations.size()))), m_spline_costs(spline_costs(stations, density * m_log_size))
+      m_log_size(std::log(2. * double(stations.size()))), m_spline_costs(spline_costs(stations, density * m_log_size)),
+      m_cancellation(cancellation)
   {}
 
   std::vector<Curve_piece> run() const
@@ -90,6 +94,8 @@ public:
   }
 
 private:
+  bool goes_on() const { return !m_cancellation || m_cancellation->goes_on(); }
+
   Station_range range(std::size_t first, std::size_t size) const { return Station_range(m_stations, first, size); }
 
   // at least so many stations beyond those that any such curve passes through
@@ -127,7 +133,8 @@ private:
       return piece;
     const auto fit = std::make_shared<Primitive_fit>(kind, range(first, size), m_significance);
     if (fit->is_valid && fit->misfit.probability(fit->curve.number_of_parameters()) >= m_significance
-        && runs_forward(fit->curve, first, size) && reaches_ends(fit->curve, first, size))
+        && runs_forward(fit->curve, first, size) && reaches_ends(fit->curve, first, size)
+        && Primitive_course(fit->curve).follows(range(first, size), is_whole_loop))
       piece.fit = fit;
     return piece;
   }
@@ -204,6 +211,14 @@ private:
 
   static Vector oriented(const Vector& v, const Vector& along) { return v.dot(along) < 0. ? Vector(-v) : v; }
 
+  Curve_piece spline(std::size_t first, std::size_t size) const
+  {
+    Curve_piece result;
+    result.first = first % m_stations.size();
+    result.size = size;
+    return result;
+  }
+
   // a path of pieces from the start to a node, the last of which is `piece`
   struct Path
   {
@@ -217,8 +232,7 @@ private:
                  std::vector<Path>& paths) const
   {
     Path path;
-    path.piece.first = (start + from) % m_stations.size();
-    path.piece.size = size;
+    path.piece = spline(start + from, size);
     paths.push_back(path);
     for (const Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE})
     {
@@ -273,12 +287,12 @@ private:
   {
     const std::size_t n = m_stations.size();
     std::vector<std::size_t> ends;
-    for (std::size_t i = 0; i < n;)
+    for (std::size_t i = 0; i < n && goes_on();)
     {
       i += (std::max)(std::size_t(2), largest_window(start, i, n, true));
       ends.push_back(i);
     }
-    for (std::size_t i = n; i > 0;)
+    for (std::size_t i = n; i > 0 && goes_on();)
     {
       i -= (std::min)(i, (std::max)(std::size_t(2), largest_window(start, i, n, false)));
       ends.push_back(i);
@@ -311,6 +325,8 @@ private:
     std::vector<std::vector<Path>> paths(nodes.size());
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
     {
+      if (!goes_on())
+        return {spline(start, m_stations.size())};
       std::array<int, 2> failures{{0, 0}};
       for (std::size_t j = i + 1; j < nodes.size(); ++j)
       {
@@ -385,22 +401,15 @@ private:
     Curve_piece &last = pieces.back(), &first = pieces.front();
     if (last.size < 2 || first.size < 2)
       return;
-    Curve_piece spline;
-    spline.first = (first.first + n - 1) % n;
-    spline.size = 2;
+    const Curve_piece between = spline(first.first + n - 1, 2);
     last = same_kind(last, last.first, last.size - 1);
     first = same_kind(first, (first.first + 1) % n, first.size - 1);
-    pieces.push_back(spline);
+    pieces.push_back(between);
   }
 
   Curve_piece same_kind(const Curve_piece& piece, std::size_t first, std::size_t size) const
   {
-    if (piece.fit)
-      return try_piece(piece.fit->curve.kind, first, size);
-    Curve_piece result;
-    result.first = first;
-    result.size = size;
-    return result;
+    return piece.fit ? try_piece(piece.fit->curve.kind, first, size) : spline(first, size);
   }
 
   // Enough arcs approximate any smooth curve: three in a row, two and a spline, or less of arcs than of splines, are no

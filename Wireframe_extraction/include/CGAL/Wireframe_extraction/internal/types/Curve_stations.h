@@ -36,6 +36,9 @@ struct Station
   Vector tangent = Vector::UnitX();                      // of the curve that was followed
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero(); // inverse covariance of the position; 0 along the tangent
   std::size_t support = 0;                               // number of points
+
+  // the standard deviation of its position across the curve
+  double deviation() const { return std::sqrt(2. / information.trace()); }
 };
 
 // A point of the band and its foot on a curve.

@@ -13,15 +13,20 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_CURVE_TYPE_RECOGNIZER_H
 
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
+#include <CGAL/Wireframe_extraction/internal/types/Cancellation.h>
 #include <CGAL/Wireframe_extraction/internal/types/Curve_cutter.h>
 #include <CGAL/Wireframe_extraction/internal/types/Curve_stations.h>
+#include <CGAL/Wireframe_extraction/internal/types/Primitive_course.h>
 #include <CGAL/Wireframe_extraction/internal/types/Primitive_network_fit.h>
+#include <CGAL/Wireframe_extraction/internal/types/Primitive_parts.h>
 #include <CGAL/Wireframe_extraction/internal/types/Typed_piece.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <initializer_list>
 #include <utility>
 #include <vector>
@@ -38,6 +43,10 @@ class Curve_type_recognizer
   static constexpr double most_kink = 8. * CGAL_PI / 180.; // and none is left where they do not become tangent
   // the tangent of a spline may change by that much from the cut to its first station
   static constexpr double most_spline_turn = 85. * CGAL_PI / 180.;
+
+  // Shares of the time, for who waits: finding the points of the curves, and cutting these. How many rounds the common fit
+  // takes is not known; each is taken for a half of what is left.
+  static constexpr double share_of_support = 0.1, share_of_cuts = 0.6, share_of_round = 0.5;
 
   struct Candidate
   {
@@ -57,6 +66,8 @@ class Curve_type_recognizer
   std::vector<Candidate> m_candidates;
   std::vector<Vector> m_anchors, m_vertices;
   std::vector<Regularity> m_regularities; // of the pieces
+  Primitive_parts m_parts;
+  Cancellation m_cancellation;
 
   struct Edge_of_piece
   {
@@ -66,40 +77,56 @@ class Curve_type_recognizer
 public:
   Curve_type_recognizer(const Field_band& band, double noise, double support_distance, double significance,
                         bool is_regularized, const std::vector<Vector>& vertices,
-                        const std::vector<Untyped_curve>& curves)
+                        const std::vector<Untyped_curve>& curves, const std::function<bool(double)>& proceed)
     : m_band(band), m_noise(noise), m_support_distance(support_distance), m_significance(significance),
-      m_is_regularized(is_regularized), m_curves(curves), m_anchors(vertices), m_vertices(vertices)
+      m_is_regularized(is_regularized), m_curves(curves), m_anchors(vertices), m_vertices(vertices),
+      m_cancellation(proceed)
   {}
 
   const std::vector<Vector>& vertices() const { return m_vertices; }
   const std::vector<Regularity>& regularities() const { return m_regularities; }
 
+  bool is_cancelled() const { return m_cancellation.is_cancelled(); }
+
+  // after cancelling, nothing
   std::vector<Typed_piece> run()
   {
+    if (!m_cancellation.goes_on())
+      return {};
     const Curve_stations stations(m_band, m_noise, m_support_distance);
     std::vector<std::vector<Vector>> polylines;
     for (const Untyped_curve& curve : m_curves)
       polylines.push_back(curve.polyline);
     m_support = stations.find_support(polylines);
     m_candidates.resize(m_curves.size());
+    std::atomic<std::size_t> number_cut{0};
+    const auto goes_on = [&] {
+      const double share = double(number_cut) / double(m_curves.size());
+      return m_cancellation.goes_on(share_of_support + share * (share_of_cuts - share_of_support));
+    };
     for_each_piece(
       m_curves.size(),
       [&](std::size_t begin, std::size_t end) {
-        for (std::size_t c = begin; c < end; ++c)
+        for (std::size_t c = begin; c < end && goes_on(); ++c, ++number_cut)
           m_candidates[c] = cut(m_curves[c], stations.run(polylines[c], m_support[c]));
       },
       1);
+    if (is_cancelled())
+      return {};
     for (std::size_t c = 0; c < m_curves.size(); ++c)
       place_vertices(m_curves[c], m_candidates[c]);
     std::vector<Typed_piece> result;
     // each round leaves fewer tangencies or primitives
-    while (!fit(result))
-    {}
+    double left = 1. - share_of_cuts;
+    while (m_cancellation.goes_on(1. - left) && !fit(result))
+      left *= share_of_round;
+    if (is_cancelled())
+      result.clear();
     return result;
   }
 
 private:
-  Candidate cut(const Untyped_curve& curve, std::vector<Station> stations) const
+  Candidate cut(const Untyped_curve& curve, std::vector<Station> stations)
   {
     Candidate result;
     result.stations = std::move(stations);
@@ -109,7 +136,7 @@ private:
     // no spline can use more parameters than there are observations
     const double density = (std::min)(1., curve.number_of_parameters / double(result.stations.size()));
     result.pieces = Curve_cutter(result.stations, density, {{curve.polyline.front(), curve.polyline.back()}},
-                                 curve.is_closed_without_vertex(), m_significance)
+                                 curve.is_closed_without_vertex(), m_significance, &m_cancellation)
                       .run();
     result.is_closed = curve.is_closed_without_vertex();
     if (curve.is_loop() && result.pieces.size() == 1 && result.pieces[0].is_line())
@@ -187,7 +214,8 @@ private:
       && (m_is_regularized || m_candidates[c].vertices[i] != Untyped_curve::no_vertex);
   }
 
-  // fits all primitives and writes the pieces; returns false if some do not go together with the others
+  // Fits all primitives and writes the pieces. Returns false if some do not go together with the others, or after
+  // cancelling.
   bool fit(std::vector<Typed_piece>& result)
   {
     Primitive_network_fit network;
@@ -209,12 +237,13 @@ private:
       add_tangencies(c, edges[c], network);
       add_spline_ends(c, network);
     }
-    if (!network.edges.empty())
-      network.run();
-    if (take_back(network, places, edges))
+    m_parts.run(network, &m_cancellation);
+    if (is_cancelled() || take_back(network, places, edges))
       return false;
     if (m_is_regularized)
       regularize(network, places);
+    if (is_cancelled())
+      return false;
     m_vertices = network.vertices;
     write(network, edges, result);
     return true;
@@ -238,7 +267,9 @@ private:
     {
       network = kept;
       network.regularities = regularities;
-      network.run();
+      m_parts.run(network, &m_cancellation, true);
+      if (is_cancelled())
+        return;
       std::vector<char> is_contradicted(places.size(), 0);
       for (std::size_t k = 0; k < places.size(); ++k)
         is_contradicted[k] = network.is_violated(k)
@@ -445,7 +476,22 @@ private:
     return curve.is_finite() && (curve.kind == Primitive_kind::LINE || curve.minor_radius > 1e-3)
       && Primitive_fit::misfit_of(curve, range(candidate, candidate.pieces[i]))
            .probability(curve.number_of_parameters())
-      >= m_significance;
+      >= m_significance
+      && keeps_course(curve, network, edge, candidate, i);
+  }
+
+  // whether the curve that would be written stays with the one that it replaces
+  bool keeps_course(const Primitive_curve& curve, const Primitive_network_fit& network, const Primitive_edge& edge,
+                    const Candidate& candidate, std::size_t i) const
+  {
+    const Primitive_course course(curve);
+    const Station_range stations = range(candidate, candidate.pieces[i]);
+    if (!edge.has_vertex())
+      return course.follows(stations, true);
+    const auto end = [&](int e) {
+      return Primitive_course::End{network.vertices[edge.vertices[e]], m_anchors[edge.vertices[e]]};
+    };
+    return edge.is_loop() ? course.follows(stations, end(0)) : course.follows(stations, end(0), end(1));
   }
 
   void write(Primitive_network_fit& network, const std::vector<std::vector<std::size_t>>& edges,

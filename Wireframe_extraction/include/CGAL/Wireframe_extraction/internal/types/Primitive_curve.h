@@ -107,6 +107,28 @@ struct Primitive_curve
     return kind == Primitive_kind::CIRCLE ? std::atan2(y, x) : ellipse_angle(x, y);
   }
 
+  Vector at_parameter(double t) const { return kind == Primitive_kind::LINE ? Vector(center + t * axis) : at(t); }
+
+  // from one parameter to the other the shorter way
+  double step(double from, double to) const
+  {
+    return kind == Primitive_kind::LINE ? to - from : std::remainder(to - from, 2. * CGAL_PI);
+  }
+
+  // from one angle forward to the other, above 0
+  static double turn(double from, double to)
+  {
+    const double angle = std::remainder(to - from, 2. * CGAL_PI);
+    return angle > 0. ? angle : angle + 2. * CGAL_PI;
+  }
+
+  // The angle of the arc from one angle to the other that passes `middle`, negative if it runs clockwise.
+  double sweep(double from, const Vector& middle, double to) const
+  {
+    const double forward = turn(from, to);
+    return turn(from, parameter(middle)) > forward ? -turn(to, from) : forward;
+  }
+
   Vector foot(const Vector& p) const
   {
     const Vector offset = p - center;

@@ -14,6 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
 #include <CGAL/Wireframe_extraction/internal/fit/ceres_support.h>
+#include <CGAL/Wireframe_extraction/internal/types/Cancellation.h>
 #include <CGAL/Wireframe_extraction/internal/types/Curve_regularities.h>
 #include <CGAL/Wireframe_extraction/internal/types/Primitive_fit.h>
 #include <CGAL/Wireframe_extraction/internal/types/primitive_residuals.h>
@@ -23,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -59,8 +61,16 @@ public:
   // whether an edge does not meet what has to hold exactly
   bool is_violated(std::size_t edge) const { return edge < m_is_violated.size() && m_is_violated[edge]; }
 
-  void run()
+  void set_violated(std::size_t edge, bool is_violated)
   {
+    m_is_violated.resize(edges.size(), 0);
+    m_is_violated[edge] = is_violated;
+  }
+
+  // after cancelling, the result is of no use
+  void run(Cancellation* cancellation = nullptr)
+  {
+    m_cancellation = cancellation;
     m_is_violated.assign(edges.size(), 0);
     m_roots.clear();
     for (const Primitive_edge& edge : edges)
@@ -82,7 +92,7 @@ public:
         multipliers[i] += weight * value;
         worst = (std::max)(worst, value.norm());
       }
-      if (worst < 1e-10)
+      if (worst < 1e-10 || is_cancelled())
         break;
     }
     for (const Constraint& constraint : constraints)
@@ -95,8 +105,25 @@ private:
   static constexpr int most_rounds = 9;
   static constexpr double most_violation = 1e-6;
 
+  Cancellation* m_cancellation = nullptr;
   std::vector<char> m_is_violated;
   std::vector<Eigen::Matrix3d> m_roots; // of the information of all stations, edge after edge
+
+  bool is_cancelled() const { return m_cancellation && m_cancellation->is_cancelled(); }
+
+  // stops a solver
+  class Cancelling_callback : public ceres::IterationCallback
+  {
+    Cancellation& m_cancellation;
+
+  public:
+    explicit Cancelling_callback(Cancellation& cancellation) : m_cancellation(cancellation) {}
+
+    ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override
+    {
+      return m_cancellation.goes_on() ? ceres::SOLVER_CONTINUE : ceres::SOLVER_ABORT;
+    }
+  };
 
   struct Constraint
   {
@@ -256,7 +283,13 @@ private:
       }
     if (problem.NumResidualBlocks() == 0)
       return;
-    const ceres::Solver::Options options = solver_options(20, 1e-12);
+    ceres::Solver::Options options = solver_options(20, 1e-12);
+    std::unique_ptr<Cancelling_callback> callback;
+    if (m_cancellation)
+    {
+      callback = std::make_unique<Cancelling_callback>(*m_cancellation);
+      options.callbacks.push_back(callback.get());
+    }
     ceres::Solver::Summary summary;
     const std::vector<Vector> kept = vertices;
     const std::vector<Primitive_edge> kept_edges = edges;

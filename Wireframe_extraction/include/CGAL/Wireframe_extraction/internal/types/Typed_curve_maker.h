@@ -188,14 +188,16 @@ private:
     const Vector end = has_vertex ? m_vertices[piece.vertices[1]] : start;
     const std::vector<double> lengths = arc_lengths(polyline);
     const Vector middle = is_closed ? at(polyline, lengths, piece.range[0] + 0.25 * lengths.back()) : piece.middle;
-    double begin = shape.parameter(start), to_middle = turn(begin, shape.parameter(middle));
-    double sweep = is_closed ? 2. * CGAL_PI : turn(begin, shape.parameter(end));
-    if (is_closed ? to_middle > CGAL_PI : to_middle > sweep)
+    double begin = shape.parameter(start), sweep = 2. * CGAL_PI;
+    const double through_middle =
+      is_closed ? shape.step(begin, shape.parameter(middle)) : shape.sweep(begin, middle, shape.parameter(end));
+    if (!is_closed)
+      sweep = std::abs(through_middle);
+    if (through_middle < 0.)
     {
       // it runs clockwise
       shape.axis = -shape.axis;
       begin = -begin;
-      sweep = is_closed ? 2. * CGAL_PI : turn(begin, shape.parameter(end));
     }
     if (is_circle)
     {
@@ -222,13 +224,6 @@ private:
     curve.uncertainty.direction = FT(piece.direction_deviation);
     curve.uncertainty.major_radius = length(piece.major_radius_deviation);
     curve.uncertainty.minor_radius = length(piece.minor_radius_deviation);
-  }
-
-  // from one angle forward to the other, above 0
-  static double turn(double from, double to)
-  {
-    const double angle = std::remainder(to - from, 2. * CGAL_PI);
-    return angle > 0. ? angle : angle + 2. * CGAL_PI;
   }
 };
 

@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,9 +75,11 @@ Untyped_curve untyped(const Wireframe_skeleton<GeomTraits>& skeleton, const Wire
   return result;
 }
 
+// Returns whether it was not cancelled; else `result` and `regularities` are left as they are.
 template <class GeomTraits>
-Wireframe<GeomTraits> recognize(const Wireframe_skeleton<GeomTraits>& skeleton, const Wireframe<GeomTraits>& wireframe,
-                                const Extraction_options& options, std::vector<std::string>& regularities)
+bool recognize(const Wireframe_skeleton<GeomTraits>& skeleton, const Wireframe<GeomTraits>& wireframe,
+               const Extraction_options& options, const std::function<bool(double)>& proceed,
+               Wireframe<GeomTraits>& result, std::vector<std::string>& regularities)
 {
   std::vector<Untyped_curve> curves;
   for (const Wireframe_curve<GeomTraits>& curve : wireframe.curves)
@@ -84,7 +87,9 @@ Wireframe<GeomTraits> recognize(const Wireframe_skeleton<GeomTraits>& skeleton, 
   std::vector<Vector> vertices;
   for (const typename GeomTraits::Point_3& p : wireframe.vertices)
     vertices.push_back(skeleton.to_local(p));
-  Recognized_pieces recognized = recognize_pieces(skeleton.data(), options, vertices, curves);
+  Recognized_pieces recognized = recognize_pieces(skeleton.data(), options, vertices, curves, proceed);
+  if (recognized.is_cancelled)
+    return false;
   regularities = std::move(recognized.regularities);
   std::vector<Typed_piece>& pieces = recognized.pieces;
   for (Typed_piece& piece : pieces)
@@ -94,15 +99,15 @@ Wireframe<GeomTraits> recognize(const Wireframe_skeleton<GeomTraits>& skeleton, 
   // Of the cuts that were tried, those that are left become vertices; and those that closed curves passed by chance go.
   std::vector<std::size_t> new_index(recognized.vertices.size(), Typed_piece::no_vertex);
   std::vector<Vector> kept;
-  Wireframe<GeomTraits> result;
-  result.sampling_distance = wireframe.sampling_distance;
+  Wireframe<GeomTraits> typed;
+  typed.sampling_distance = wireframe.sampling_distance;
   const auto keep = [&](std::size_t v) {
     if (new_index[v] == Typed_piece::no_vertex)
     {
       new_index[v] = kept.size();
       kept.push_back(recognized.vertices[v]);
       const bool is_untouched = v < vertices.size() && recognized.vertices[v] == vertices[v];
-      result.vertices.push_back(is_untouched ? wireframe.vertices[v] : skeleton.to_point(recognized.vertices[v]));
+      typed.vertices.push_back(is_untouched ? wireframe.vertices[v] : skeleton.to_point(recognized.vertices[v]));
     }
     return new_index[v];
   };
@@ -121,10 +126,11 @@ Wireframe<GeomTraits> recognize(const Wireframe_skeleton<GeomTraits>& skeleton, 
   for (Typed_piece& piece : pieces)
     for (std::size_t& v : piece.vertices)
       v = v == Typed_piece::no_vertex ? v : keep(v);
-  const Typed_curve_maker<GeomTraits> maker(skeleton, kept, result.vertices);
+  const Typed_curve_maker<GeomTraits> maker(skeleton, kept, typed.vertices);
   for (const Typed_piece& piece : pieces)
-    result.curves.push_back(maker.make(piece, wireframe.curves[piece.curve], curves[piece.curve].polyline));
-  return result;
+    typed.curves.push_back(maker.make(piece, wireframe.curves[piece.curve], curves[piece.curve].polyline));
+  result = std::move(typed);
+  return true;
 }
 
 } // namespace internal

@@ -18,6 +18,7 @@
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/internal/types/Typed_piece.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -31,12 +32,14 @@ struct Recognized_pieces
   std::vector<Typed_piece> pieces;
   std::vector<Vector> vertices;          // those that were given, which may have moved, and then those of cuts
   std::vector<std::string> regularities; // a line for each kind and each curve that others agree with
+  bool is_cancelled = false;             // and without pieces
 };
 
 // `vertices` are those of the network. A closed curve that passes smoothly through its vertex, at which it is alone, is
-// cut loose from it.
+// cut loose from it. `proceed` is asked with the share that is done whether to go on.
 Recognized_pieces recognize_pieces(const Skeleton_data& skeleton, const Extraction_options& options,
-                                   const std::vector<Vector>& vertices, std::vector<Untyped_curve>& curves);
+                                   const std::vector<Vector>& vertices, std::vector<Untyped_curve>& curves,
+                                   const std::function<bool(double)>& proceed);
 
 } // namespace internal
 } // namespace Wireframe_extraction

@@ -19,6 +19,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -77,7 +78,8 @@ inline std::vector<std::size_t> degrees_of(std::size_t number_of_vertices, const
 CGAL_WIREFRAME_EXTRACTION_INLINE Recognized_pieces recognize_pieces(const Skeleton_data& skeleton,
                                                                     const Extraction_options& options,
                                                                     const std::vector<Vector>& vertices,
-                                                                    std::vector<Untyped_curve>& curves)
+                                                                    std::vector<Untyped_curve>& curves,
+                                                                    const std::function<bool(double)>& proceed)
 {
   const std::vector<std::size_t> degrees = degrees_of(vertices.size(), curves);
   for (Untyped_curve& curve : curves)
@@ -85,9 +87,12 @@ CGAL_WIREFRAME_EXTRACTION_INLINE Recognized_pieces recognize_pieces(const Skelet
         && passes_through_vertex(curve, degrees[curve.vertices[0]], options.smooth_angle))
       curve.vertices = {{Untyped_curve::no_vertex, Untyped_curve::no_vertex}};
   Curve_type_recognizer recognizer(*skeleton.band, skeleton.noise(options), options.support_distance,
-                                   options.type_significance, options.regularize, vertices, curves);
+                                   options.type_significance, options.regularize, vertices, curves, proceed);
   Recognized_pieces result;
   result.pieces = recognizer.run();
+  result.is_cancelled = recognizer.is_cancelled();
+  if (result.is_cancelled)
+    return result;
   result.vertices = recognizer.vertices();
   result.regularities = texts(recognizer.regularities());
   return result;

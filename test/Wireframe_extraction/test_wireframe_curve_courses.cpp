@@ -1,0 +1,330 @@
+// No line, circle or ellipse leaves the points that it stands for, along its whole length; and cancelling the recognition.
+
+#include <CGAL/Wireframe_extraction/internal/field/complete_band.h>
+#include <CGAL/Wireframe_extraction/internal/types/Primitive_course.h>
+#include <CGAL/Wireframe_extraction/internal/types/recognize_pieces.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Wireframe_extraction::internal;
+
+typedef std::vector<Vector> Polyline;
+
+const double pi = CGAL_PI;
+
+std::mt19937 generator(3);
+
+double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator); }
+
+// Two sides and the end that joins them, with rounded corners: far along, a very long ellipse fits the sides and leaves
+// out the end.
+Polyline u_shape(double half_width, double length, double rounding)
+{
+  const double step = 0.1, straight = half_width - rounding;
+  Polyline half; // from the middle of the end to the end of a side
+  for (double y = 0.; y < straight; y += step)
+    half.push_back(Vector(0., y, 0.));
+  for (double a = 0.; a < 0.5 * pi; a += step / rounding)
+    half.push_back(Vector(rounding - rounding * std::cos(a), straight + rounding * std::sin(a), 0.));
+  for (double x = rounding; x <= length; x += step)
+    half.push_back(Vector(x, half_width, 0.));
+  Polyline result;
+  for (std::size_t i = half.size(); i-- > 1;)
+    result.push_back(Vector(half[i].x(), -half[i].y(), 0.));
+  result.insert(result.end(), half.begin(), half.end());
+  return result;
+}
+
+double distance(const Vector& p, const Polyline& polyline)
+{
+  double nearest = (std::numeric_limits<double>::max)();
+  for (const Vector& q : polyline)
+    nearest = (std::min)(nearest, (p - q).norm());
+  return nearest;
+}
+
+// The exact field around the edge of a plate of this outline: points on its plane and on its wall.
+Skeleton_data field_around(const Polyline& outline)
+{
+  auto band = std::make_shared<Field_band>();
+  const std::size_t count = 2 * outline.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Vector& foot = outline[std::size_t(uniform(0., double(outline.size())))];
+    const Vector p =
+      foot + (i % 2 == 0 ? Vector(uniform(-3., 3.), uniform(-3., 3.), 0.) : Vector(0., 0., -uniform(0., 3.)));
+    const double d = distance(p, outline);
+    if (d > 3.)
+      continue;
+    band->points.push_back(p);
+    band->distances.push_back(d);
+    band->indices.push_back(i);
+  }
+  complete_band(*band, 1.5);
+  Skeleton_data result;
+  result.band = band;
+  return result;
+}
+
+Untyped_curve untyped(const Polyline& polyline)
+{
+  Untyped_curve result;
+  result.polyline = polyline;
+  result.vertices = {{0, 1}};
+  result.number_of_parameters = 36.;
+  return result;
+}
+
+Recognized_pieces recognized(const Skeleton_data& field, const Polyline& polyline, double noise, bool regularize,
+                             const std::function<bool(double)>& proceed = {})
+{
+  Extraction_options options;
+  options.noise_level = noise;
+  options.regularize = regularize;
+  std::vector<Untyped_curve> curves(1, untyped(polyline));
+  return recognize_pieces(field, options, {polyline.front(), polyline.back()}, curves, proceed);
+}
+
+// of the piece, as it is written: from vertex through the middle to vertex
+Polyline sampled(const Typed_piece& piece, const std::vector<Vector>& vertices)
+{
+  const Primitive_curve& shape = piece.shape;
+  const Vector &source = vertices[piece.vertices[0]], &target = vertices[piece.vertices[1]];
+  const double from = shape.parameter(source);
+  const double size = shape.kind == Primitive_kind::LINE ? shape.parameter(target) - from
+                                                         : shape.sweep(from, piece.middle, shape.parameter(target));
+  Polyline result;
+  for (int k = 0; k <= 200; ++k)
+    result.push_back(shape.at_parameter(from + size * k / 200.));
+  return result;
+}
+
+void test_nothing_runs_away()
+{
+  for (const double noise : {0.1, 0.3, 0.5})
+    for (const double half_width : {6., 13.})
+      for (const double length : {15., 25., 60.})
+        for (const double rounding : {1., 0.5 * half_width, 0.9 * half_width})
+        {
+          const Polyline u = u_shape(half_width, length, rounding);
+          const Skeleton_data field = field_around(u);
+          for (const bool regularize : {false, true})
+          {
+            const Recognized_pieces found = recognized(field, u, noise, regularize);
+            for (const Typed_piece& piece : found.pieces)
+              if (piece.is_primitive)
+              {
+                const Polyline samples = sampled(piece, found.vertices);
+                for (const Vector& p : samples)
+                  assert(distance(p, u) < 3.);
+                // and nothing of what it stands for is left out
+                const std::vector<double> lengths = arc_lengths(u);
+                for (std::size_t i = 0; i < u.size(); ++i)
+                  if (lengths[i] >= piece.range[0] && lengths[i] <= piece.range[1])
+                    assert(distance(u[i], samples) < 3.5);
+              }
+          }
+        }
+}
+
+// stations without errors, every 1.5 along a polyline
+std::vector<Station> stations_on(const Polyline& polyline, double deviation = 0.05)
+{
+  std::vector<Station> result;
+  const std::vector<double> lengths = arc_lengths(polyline);
+  Polyline_walk walk(polyline, lengths);
+  const std::size_t count = std::size_t(lengths.back() / 1.5);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    Station station;
+    station.parameter = lengths.back() * (double(i) + 0.5) / double(count);
+    station.position = station.followed = walk.advance_to(station.parameter);
+    station.tangent = walk.segment().normalized();
+    station.information =
+      (Eigen::Matrix3d::Identity() - station.tangent * station.tangent.transpose()) / (deviation * deviation);
+    station.support = 8;
+    result.push_back(station);
+  }
+  return result;
+}
+
+Polyline sampled(const Primitive_curve& curve, double from, double to)
+{
+  Polyline result;
+  const int count = int(std::abs(to - from) * (curve.kind == Primitive_kind::LINE ? 10. : 10. * curve.major_radius));
+  for (int k = 0; k <= count; ++k)
+    result.push_back(curve.at_parameter(from + (to - from) * k / count));
+  return result;
+}
+
+Primitive_curve make(Primitive_kind kind)
+{
+  Primitive_curve result;
+  result.kind = kind;
+  result.center = Vector(1., 2., 3.);
+  result.axis = Vector(1., 1., 2.).normalized();
+  result.major = result.axis.unitOrthogonal();
+  result.major_radius = 15.;
+  result.minor_radius = kind == Primitive_kind::ELLIPSE ? 9. : 15.;
+  return result;
+}
+
+bool follows(const Primitive_curve& curve, const std::vector<Station>& stations, const Polyline& polyline)
+{
+  return Primitive_course(curve).follows(Station_range(stations, 0, stations.size()),
+                                         {curve.foot(polyline.front()), polyline.front()},
+                                         {curve.foot(polyline.back()), polyline.back()});
+}
+
+// Whole curves and arcs of any size keep to themselves, and to what lies within the errors that are stated.
+void test_right_courses()
+{
+  for (const Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE, Primitive_kind::ELLIPSE})
+    for (const double sweep : {-6., -4., -1., 0.5, 2., 3.3, 5., 6.2})
+    {
+      Primitive_curve curve = make(kind);
+      const double factor = kind == Primitive_kind::LINE ? 10. : 1.;
+      const Polyline polyline = sampled(curve, 0.3, 0.3 + factor * sweep);
+      const std::vector<Station> stations = stations_on(polyline);
+      assert(follows(curve, stations, polyline));
+      assert(Primitive_course(curve).follows(Station_range(stations, 0, stations.size()), false));
+      curve.center += 0.9 * Vector(1., 0., 0.);
+      assert(follows(curve, stations, polyline));
+    }
+  for (const Primitive_kind kind : {Primitive_kind::CIRCLE, Primitive_kind::ELLIPSE})
+  {
+    const Primitive_curve curve = make(kind);
+    const Polyline polyline = sampled(curve, 0.3, 0.3 + 2. * pi);
+    const std::vector<Station> stations = stations_on(polyline);
+    const Station_range all(stations, 0, stations.size());
+    assert(Primitive_course(curve).follows(all, true));
+    assert(Primitive_course(curve).follows(all, {polyline.front(), polyline.front()}));
+  }
+}
+
+void test_wrong_courses()
+{
+  // farther off than stations are known
+  for (const Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE, Primitive_kind::ELLIPSE})
+  {
+    Primitive_curve curve = make(kind);
+    const Polyline polyline = sampled(curve, 0., kind == Primitive_kind::LINE ? 30. : 3.);
+    const std::vector<Station> stations = stations_on(polyline), vague = stations_on(polyline, 0.3);
+    curve.center += 1.8 * (kind == Primitive_kind::LINE ? curve.axis.unitOrthogonal() : curve.axis);
+    assert(!follows(curve, stations, polyline));
+    assert(follows(curve, vague, polyline));
+  }
+  // a half circle, and a long ellipse through both ends that goes round far away: all feet are near
+  const Primitive_curve circle = make(Primitive_kind::CIRCLE);
+  const Polyline half = sampled(circle, 0.5 * pi, 1.5 * pi);
+  Primitive_curve ellipse = circle;
+  ellipse.kind = Primitive_kind::ELLIPSE;
+  ellipse.major_radius = 300.;
+  assert(!follows(ellipse, stations_on(half), half));
+  const Polyline u = u_shape(13., 25., 1.);
+  Primitive_curve sides;
+  sides.kind = Primitive_kind::ELLIPSE;
+  sides.center = Vector(25., 0., 0.);
+  sides.axis = Vector::UnitZ();
+  sides.major = Vector::UnitX();
+  sides.major_radius = 1500.;
+  sides.minor_radius = 13.;
+  assert(!follows(sides, stations_on(u), u));
+  // the arc the other way round: the stations of one half, the middle of the other
+  const Primitive_curve whole = make(Primitive_kind::CIRCLE);
+  const Polyline two_rounds = sampled(whole, 0., 4. * pi + 1.);
+  assert(!follows(whole, stations_on(two_rounds), two_rounds));
+  // a circle that is not gone all round is not closed
+  const std::vector<Station> most = stations_on(sampled(whole, 0., 1.4 * pi));
+  assert(!Primitive_course(whole).follows(Station_range(most, 0, most.size()), true));
+  // what is not finite follows nothing
+  Primitive_curve none = whole;
+  none.major_radius = std::numeric_limits<double>::quiet_NaN();
+  assert(!follows(none, stations_on(half), half));
+}
+
+// Over a gap a curve may differ from the spline that bridged it, but not go elsewhere.
+void test_gaps()
+{
+  const Primitive_curve circle = make(Primitive_kind::CIRCLE);
+  const Polyline arc = sampled(circle, 0., 4.);
+  // the spline goes straight over a gap of 15 r; the circle goes round
+  Polyline bridged = sampled(circle, 0., 1.5);
+  const Polyline rest = sampled(circle, 2.5, 4.);
+  const Vector from = bridged.back(), to = rest.front();
+  for (int k = 1; k < 100; ++k)
+    bridged.push_back(from + (to - from) * k / 100.);
+  bridged.insert(bridged.end(), rest.begin(), rest.end());
+  std::vector<Station> stations = stations_on(bridged);
+  assert(!follows(circle, stations, bridged));
+  for (Station& station : stations)
+    if (std::abs((station.position - circle.center).norm() - 15.) > 0.05)
+    {
+      station.support = 0;
+      station.information.setZero();
+    }
+  assert(follows(circle, stations, bridged));
+  // a gap between the sides of the long ellipse is none that it may leave the part over
+  const Polyline u = u_shape(13., 25., 1.);
+  std::vector<Station> open = stations_on(u);
+  for (Station& station : open)
+    if (station.position.x() < 1.)
+    {
+      station.support = 0;
+      station.information.setZero();
+    }
+  Primitive_curve sides;
+  sides.kind = Primitive_kind::ELLIPSE;
+  sides.center = Vector(25., 0., 0.);
+  sides.axis = Vector::UnitZ();
+  sides.major = Vector::UnitX();
+  sides.major_radius = 1500.;
+  sides.minor_radius = 13.;
+  assert(!follows(sides, open, u));
+}
+
+// Wherever it is cancelled, nothing is asked afterwards, and nothing comes back.
+void test_cancelling()
+{
+  const Polyline u = u_shape(13., 40., 6.);
+  const Skeleton_data field = field_around(u);
+  std::size_t calls = 0;
+  double last = 0.;
+  const Recognized_pieces all = recognized(field, u, 0.05, true, [&](double share) {
+    assert(share >= last && share <= 1.);
+    last = share;
+    ++calls;
+    return true;
+  });
+  assert(!all.is_cancelled && !all.pieces.empty());
+  assert(calls > 20 && last > 0.5); // while the curve is cut, and in the common fit
+  for (std::size_t most = 0; most < calls; most += most < 10 ? 1 : 7)
+  {
+    std::size_t count = 0;
+    const Recognized_pieces none = recognized(field, u, 0.05, true, [&](double) { return ++count <= most; });
+    assert(none.is_cancelled && none.pieces.empty() && none.regularities.empty());
+    assert(count == most + 1);
+  }
+}
+
+} // namespace
+
+int main()
+{
+  test_right_courses();
+  test_wrong_courses();
+  test_gaps();
+  test_nothing_runs_away();
+  test_cancelling();
+  return 0;
+}
