@@ -4,10 +4,11 @@
 
 packages=(g++ make cmake python3 libcgal-dev libeigen3-dev libceres-dev libtbb-dev nlohmann-json3-dev libcli11-dev)
 # What only the makers of cases from foreign files, the formats of CAD programs, HDF5, compressed NumPy archives and
-# pictures need, and the tests, which also read what was written, write what is to be read, and build the manual.
+# pictures need, and the tests, which also read what was written, write what is to be read, build the manual, and look at
+# the layout of the source.
 # shellcheck disable=SC2034
 test_packages=(libyaml-cpp-dev libocct-data-exchange-dev libhdf5-dev zlib1g-dev libpng-dev python3-ezdxf python3-numpy
-  doxygen)
+  python3-h5py doxygen clang-format)
 # Readers of written files, what draws, and a workflow manager, which are large, for `test/run --all`; what needs them is
 # skipped without.
 # shellcheck disable=SC2034

@@ -13,9 +13,9 @@
 #define CGAL_WIREFRAME_EXTRACTION_DEFAULT_VISITOR_H
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/Wireframe_corner.h>
 #include <CGAL/Wireframe_extraction/Wireframe_graph.h>
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
-#include <CGAL/Wireframe_extraction/detect_corners.h>
 
 #include <cstddef>
 #include <vector>

@@ -1,0 +1,302 @@
+#!/usr/bin/env python3
+"""Tests how the source is laid out: that includes point downwards, that include guards equal paths, and that C++ looks
+as .clang-format says.
+
+usage: test_wireframe_layout.py ROOT [options of unittest]
+"""
+
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+# Groups of headers from the bottom to the top. A header includes others of its own group and of lower rows; groups in
+# one row do not know each other.
+LAYERS = (
+    ("internal/base",),
+    ("internal/options", "internal/spline", "IO/internal/file"),
+    ("internal/cloud", "IO/internal/cloud", "IO/internal/wireframe"),
+    ("internal/field", "IO"),
+    ("internal/fit",),
+    ("internal/network", "internal/types"),
+    ("internal/pipeline",),
+    ("the stages",),       # public headers of functions
+    ("the one call",),     # what stands in CGAL/ itself
+)
+RANKS = {group: rank for rank, row in enumerate(LAYERS) for group in row}
+# Public headers of classes, and these, hold values. They belong to the highest group that they include, so that every
+# group above may use them.
+VALUES = "values"
+NAMES_OF_VALUES = ("parameters.h", "policies.h")
+
+FOLDERS = ("Wireframe_extraction", "test", "examples", "benchmark")   # of C++
+# these are included several times, with other macros each time
+WITHOUT_GUARD = ("CGAL/Wireframe_extraction/internal/options/parameters_interface.h",)
+CLANG_FORMAT_VERSION = 14
+
+
+def includes_of(path):
+    """Pairs of a line number and a header of this library, as it is included."""
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        match = re.match(r'\s*#\s*include\s*[<"](CGAL/[^>"]+)[>"]', line)
+        if match:
+            yield number, match[1]
+
+
+def group_of(header):
+    """The group of a header, given as CGAL/..."""
+    parts = header.split("/")[1:]
+    if parts[0] != "Wireframe_extraction":
+        return "the one call"
+    if len(parts) > 2:
+        return "/".join(parts[1:-1])
+    return VALUES if parts[1][0].isupper() or parts[1] in NAMES_OF_VALUES else "the stages"
+
+
+class Library:
+    """The headers of the library, and what they include of each other."""
+
+    def __init__(self, root):
+        self.folder = root / "Wireframe_extraction/include"
+        self.sources = sorted((root / "Wireframe_extraction/src").glob("*.cpp"))
+        paths = sorted(self.folder.rglob("*.h"))
+        self.headers = {path.relative_to(self.folder).as_posix(): list(includes_of(path)) for path in paths}
+        for header, includes in self.headers.items():
+            self.headers[header] = [(number, name) for number, name in includes if name in self.headers]
+
+    def place(self, header, number):
+        return f"Wireframe_extraction/include/{header}:{number}"
+
+    def level_of(self, header, visited=()):
+        """The group of a header; of values, the highest of those that they need."""
+        group = group_of(header)
+        if group != VALUES:
+            return group
+        levels = [self.level_of(name, (*visited, header)) for _, name in self.headers[header] if name not in visited]
+        return max((level for level in levels if level != VALUES), key=RANKS.get, default=VALUES)
+
+    def unknown_groups(self):
+        for header in self.headers:
+            group = group_of(header)
+            if group != VALUES and group not in RANKS:
+                yield f"{self.place(header, 1)}: there is no group {group}; move the header, or put it into LAYERS here"
+
+    def rising_includes(self):
+        for header, includes in self.headers.items():
+            own = group_of(header)
+            for number, name in includes:
+                other = self.level_of(name)
+                if problem := self.problem_between(own, other):
+                    yield (f"{self.place(header, number)}: {own} includes <{name}> of {other}, {problem}; move what is "
+                           f"needed down, or have it handed over by who calls")
+
+    @staticmethod
+    def problem_between(own, other):
+        if other in (VALUES, own):
+            return ""
+        if own == VALUES:
+            return "and a class needs no function for its users" if RANKS[other] >= RANKS["the stages"] else ""
+        if own.startswith("internal/") and other.startswith("IO"):
+            return "but the method knows no files"
+        if RANKS[own] < RANKS[other]:
+            return "which is above it"
+        return "which is beside it" if RANKS[own] == RANKS[other] else ""
+
+    def stray_implementations(self):
+        """Implementations that others include than their own header and what is compiled once."""
+        for header, includes in self.headers.items():
+            for number, name in includes:
+                if name.endswith("_impl.h") and name != header[:-len(".h")] + "_impl.h":
+                    yield (f"{self.place(header, number)}: includes <{name}>, which only its own header may; include "
+                           f"<{name.replace('_impl.h', '.h')}>")
+
+    def circles(self):
+        """Headers that include each other, but for an implementation that includes its own header."""
+        done, path = set(), []
+
+        def visit(header):
+            if header in path:
+                yield " > ".join([*path[path.index(header):], header])
+                return
+            if header in done:
+                return
+            path.append(header)
+            for _, name in self.headers[header]:
+                if name != header[:-len(".h")] + "_impl.h":
+                    yield from visit(name)
+            path.pop()
+            done.add(header)
+
+        for header in self.headers:
+            for circle in visit(header):
+                yield f"{self.place(circle.split(' > ')[0], 1)}: a circle, {circle}; take out what both need"
+
+    def uncompiled_implementations(self):
+        compiled = {name for source in self.sources for _, name in includes_of(source)}
+        for header in self.headers:
+            if header.endswith("_impl.h") and header not in compiled:
+                yield f"{self.place(header, 1)}: no file in Wireframe_extraction/src/ includes it; one has to"
+
+    def wrong_guards(self):
+        for header in self.headers:
+            if header in WITHOUT_GUARD:
+                continue
+            guard = re.sub(r"\W", "_", header).upper()
+            text = (self.folder / header).read_text(encoding="utf-8")
+            if f"#ifndef {guard}\n#define {guard}\n" not in text or not text.endswith(f"#endif // {guard}\n"):
+                yield f"{self.place(header, 1)}: its include guard has to be {guard}, also behind its #endif"
+
+    def problems(self):
+        problems = list(self.unknown_groups())
+        if problems:
+            return problems
+        for check in (self.rising_includes, self.circles, self.stray_implementations, self.uncompiled_implementations,
+                      self.wrong_guards):
+            problems += check()
+        return problems
+
+
+def find_clang_format():
+    """A clang-format of the version that the layout is of, or nothing; others lay some lines out differently."""
+    for name in (f"clang-format-{CLANG_FORMAT_VERSION}", "clang-format"):
+        program = shutil.which(name)
+        if program:
+            text = subprocess.run([program, "--version"], stdout=subprocess.PIPE, check=True, encoding="utf-8").stdout
+            if f"version {CLANG_FORMAT_VERSION}." in text:
+                return program
+    return None
+
+
+def badly_formatted(program, root, paths):
+    done = subprocess.run([program, "--dry-run", "--Werror", f"--style=file:{root / '.clang-format'}", *map(str, paths)],
+                          stderr=subprocess.PIPE, encoding="utf-8", check=False)
+    return sorted({match[1] + ":" + match[2] for match in re.finditer(r"(?m)^(/[^:\n]+):(\d+):\d+: ", done.stderr)})
+
+
+class Layout_test(unittest.TestCase):
+    root = None   # set by main()
+    maxDiff = None
+
+    def test_library(self):
+        self.assertEqual([], Library(self.root).problems())
+
+    def test_clang_format(self):
+        program = find_clang_format()
+        if not program:
+            self.skipTest(f"there is no clang-format {CLANG_FORMAT_VERSION} (Debian 12: clang-format)")
+        paths = [path for folder in FOLDERS for end in ("h", "cpp") for path in (self.root / folder).rglob("*." + end)]
+        self.assertGreater(len(paths), 100)
+        self.assertEqual([], badly_formatted(program, self.root, paths), "lay them out with: clang-format -i FILE")
+
+
+class Planted_test(unittest.TestCase):
+    """What is not to be, put into a copy, is found."""
+
+    def setUp(self):
+        self.root = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        for folder in ("include", "src"):
+            shutil.copytree(Layout_test.root / "Wireframe_extraction" / folder,
+                            self.root / "Wireframe_extraction" / folder)
+        self.package = self.root / "Wireframe_extraction/include/CGAL/Wireframe_extraction"
+
+    def enterContext(self, context):   # which unittest has since Python 3.11
+        self.addCleanup(context.__exit__, None, None, None)
+        return context.__enter__()
+
+    def plant(self, header, *includes):
+        """Adds includes in the third line of a header, and makes it if it is not there."""
+        path = self.package / header
+        guard = re.sub(r"\W", "_", f"CGAL/Wireframe_extraction/{header}").upper()
+        path.parent.mkdir(parents=True, exist_ok=True)
+        text = path.read_text() if path.exists() else f"#ifndef {guard}\n#define {guard}\n#endif // {guard}\n"
+        lines = text.splitlines(keepends=True)
+        lines[2:2] = [f"#include <CGAL/{name}>\n" for name in includes]
+        path.write_text("".join(lines))
+
+    def check_found(self, place, *words):
+        problems = Library(self.root).problems()
+        self.assertTrue(any(place in problem and all(word in problem for word in words) for problem in problems),
+                        (place, words, problems))
+
+    def test_nothing_planted(self):
+        self.assertEqual([], Library(self.root).problems())
+
+    def test_rising(self):
+        for low, high in (("base", "options"), ("options", "cloud"), ("spline", "field"), ("cloud", "field"),
+                          ("field", "fit"), ("fit", "network"), ("fit", "types"), ("network", "pipeline")):
+            with self.subTest(low=low):
+                self.plant(f"internal/{high}/planted.h")
+                self.plant(f"internal/{low}/Planted.h", f"Wireframe_extraction/internal/{high}/planted.h")
+                self.check_found(f"internal/{low}/Planted.h:3", f"internal/{high}/planted.h", "above", "move")
+
+    def test_beside(self):
+        for one, other in (("internal/options", "internal/spline"), ("internal/types", "internal/network"),
+                           ("IO/internal/cloud", "IO/internal/wireframe")):
+            with self.subTest(one=one):
+                self.plant(f"{other}/planted.h")
+                self.plant(f"{one}/Planted.h", f"Wireframe_extraction/{other}/planted.h")
+                self.check_found(f"{one}/Planted.h:3", "beside")
+
+    def test_stage_from_below(self):
+        self.plant("internal/pipeline/Planted.h", "Wireframe_extraction/fit_curves.h")
+        self.plant("Planted.h", "Wireframe_extraction/fit_curves.h")
+        self.plant("fit_curves.h", "extract_wireframe.h")
+        self.check_found("pipeline/Planted.h:3", "the stages", "above")
+        self.check_found("extraction/Planted.h:3", "the stages", "class")
+        self.check_found("fit_curves.h:3", "the one call", "above")
+
+    def test_value_hides_an_arrow(self):
+        self.plant("Planted.h", "Wireframe_extraction/Hidden.h")
+        self.plant("Hidden.h", "Wireframe_extraction/internal/fit/planted.h")
+        self.plant("internal/fit/planted.h")
+        self.plant("internal/field/planted.h", "Wireframe_extraction/Planted.h")
+        self.plant("internal/types/planted.h", "Wireframe_extraction/Planted.h")   # is above
+        self.check_found("internal/field/planted.h:3", "of internal/fit")
+        self.assertEqual(1, len(Library(self.root).problems()))
+
+    def test_files_in_the_method(self):
+        self.plant("IO/internal/file/planted.h")
+        self.plant("internal/network/Planted.h", "Wireframe_extraction/IO/internal/file/planted.h")
+        self.check_found("internal/network/Planted.h:3", "files")
+
+    def test_circle(self):
+        self.plant("internal/fit/One.h", "Wireframe_extraction/internal/fit/Two.h")
+        self.plant("internal/fit/Two.h", "Wireframe_extraction/internal/fit/Three.h")
+        self.plant("internal/fit/Three.h", "Wireframe_extraction/internal/fit/One.h")
+        self.check_found("internal/fit/One.h:1", "circle", "Two.h", "Three.h")
+
+    def test_implementations(self):
+        self.plant("internal/fit/planted_impl.h", "Wireframe_extraction/internal/fit/planted.h")
+        self.plant("internal/fit/planted.h", "Wireframe_extraction/internal/fit/planted_impl.h")
+        self.plant("internal/fit/Other.h", "Wireframe_extraction/internal/fit/planted_impl.h")
+        self.check_found("internal/fit/Other.h:3", "only its own header", "fit/planted.h>")
+        self.check_found("internal/fit/planted_impl.h:1", "src/")
+        self.assertEqual(2, len(Library(self.root).problems()))
+
+    def test_folder_and_guard(self):
+        self.plant("internal/fit/Planted.h")
+        path = self.package / "internal/fit/Planted.h"
+        path.rename(path.with_name("Renamed.h"))
+        self.check_found("internal/fit/Renamed.h:1", "CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_RENAMED_H")
+        self.plant("internal/misc/Planted.h")
+        self.check_found("internal/misc/Planted.h:1", "no group internal/misc")
+
+    def test_layout(self):
+        program = find_clang_format()
+        if not program:
+            self.skipTest("there is no clang-format")
+        path = self.root / "planted.cpp"
+        path.write_text("int main()\n{\n    f();\n    return 0;\n}\n")
+        self.assertNotEqual([], badly_formatted(program, Layout_test.root, [path]))
+        path.write_text("int main()\n{\n  f();\n  return 0;\n}\n")
+        self.assertEqual([], badly_formatted(program, Layout_test.root, [path]))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    Layout_test.root = pathlib.Path(sys.argv[1]).resolve()
+    unittest.main(argv=sys.argv[:1] + sys.argv[2:])
