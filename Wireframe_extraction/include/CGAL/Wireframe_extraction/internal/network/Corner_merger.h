@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CORNER_MERGER_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CORNER_MERGER_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Position_grid.h>
 #include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
 #include <CGAL/Wireframe_extraction/internal/network/Network_editor.h>
 #include <CGAL/Wireframe_extraction/internal/network/Position_belief.h>
@@ -31,12 +32,45 @@ namespace internal {
 // Makes corners of ends of curves whose beliefs about where they end agree, and of such that end next to another curve.
 class Corner_merger : private Network_editor
 {
+  // Lengths in r.
+  // A trace stops this far before the corner where its fits become bad. Where the data end, it stops earlier, by the
+  // part of a gap that was not bridged, and less is known of the place along the curve.
+  static constexpr double usual_shortfall = 0.3, shortfall_in_void = 1.3;
+  static constexpr double more_doubt_in_void = 1.5;
+  // From a node to a curve that it splits. Beliefs decide, this bounds the search: single ends are uncertain by
+  // along(), about 1, so that three times this are enough.
+  static constexpr double farthest_passing_curve = 3.;
+  static constexpr double least_piece = 0.1; // splits that are closer than half of across() are at the same place
+
   struct Cluster
   {
     Position_belief belief;
     std::vector<Curve_end> members;
-    std::size_t number_of_nodes;
-    bool is_alive;
+    std::size_t number_of_nodes = 1;
+    bool is_alive = true;
+    Vector mean = Vector::Zero(); // of the belief, and what it tells about how well its factors agree
+    double disagreement = 0.;
+
+    void set_belief(const Position_belief& product)
+    {
+      belief = product;
+      mean = product.mean();
+      disagreement = product.disagreement();
+    }
+  };
+
+  // The segment is that of the curve as it was when the split was proposed. Splits, and ends that are attached, change
+  // curves, so it tells which splits come first, and the place alone tells what is split.
+  struct Split
+  {
+    std::size_t node, curve, segment;
+    Vector place;
+  };
+
+  struct Place_on_curve
+  {
+    double squared_distance = (std::numeric_limits<double>::infinity)();
+    std::size_t curve = no_node, segment = 0;
   };
 
 public:
@@ -46,59 +80,42 @@ public:
   void merge_nodes_that_agree()
   {
     std::vector<Cluster> clusters;
-    std::vector<Vector> positions;
-    for (const std::vector<Curve_end>& ends : m_network.incidences())
-    {
-      if (ends.empty())
-        continue;
-      Cluster cluster{belief(ends[0]), ends, 1, true};
-      for (std::size_t k = 1; k < ends.size(); ++k)
-        cluster.belief = cluster.belief * belief(ends[k]);
-      positions.push_back(cluster.belief.mean());
-      clusters.push_back(cluster);
-    }
     typedef std::tuple<double, std::size_t, std::size_t> Candidate;
     std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> queue;
-    const auto propose = [&](std::size_t a, std::size_t b) {
-      if (!may_meet(clusters[a], clusters[b]))
-        return;
-      const double cost = (clusters[a].belief * clusters[b].belief).disagreement() - clusters[a].belief.disagreement()
-        - clusters[b].belief.disagreement();
-      if (cost < m_options.maximum_disagreement)
-        queue.emplace(cost, a, b);
+    Position_grid grid(m_options.reach); // of those that are alive
+    const auto add = [&](const Cluster& cluster) {
+      const std::size_t b = clusters.size();
+      clusters.push_back(cluster);
+      grid.visit(cluster.mean, [&](std::size_t a) {
+        const double cost = cost_of_merging(clusters[a], cluster);
+        if (cost < m_options.maximum_disagreement)
+          queue.emplace(cost, a, b);
+      });
+      grid.add(b, cluster.mean);
     };
-    const Ball_search search(positions);
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < positions.size(); ++i)
-    {
-      search.query(positions[i], m_options.reach, found);
-      for (std::size_t j : found)
-        if (i < j)
-          propose(i, j);
-    }
+    for (const std::vector<Curve_end>& ends : m_network.incidences())
+      if (!ends.empty())
+        add(cluster_of(ends));
     while (!queue.empty())
     {
       const std::size_t a = std::get<1>(queue.top()), b = std::get<2>(queue.top());
       queue.pop();
       if (!clusters[a].is_alive || !clusters[b].is_alive)
         continue;
-      Cluster merged = clusters[a];
-      merged.belief = merged.belief * clusters[b].belief;
-      merged.members.insert(merged.members.end(), clusters[b].members.begin(), clusters[b].members.end());
-      merged.number_of_nodes += clusters[b].number_of_nodes;
-      clusters[a].is_alive = clusters[b].is_alive = false;
-      const Vector mean = merged.belief.mean();
-      clusters.push_back(merged);
-      for (std::size_t k = 0; k + 1 < clusters.size(); ++k)
-        if (clusters[k].is_alive && (clusters[k].belief.mean() - mean).norm() < m_options.reach)
-          propose(k, clusters.size() - 1);
+      const Cluster both = merged(clusters[a], clusters[b]);
+      for (std::size_t gone : {a, b})
+      {
+        clusters[gone].is_alive = false;
+        grid.remove(gone, clusters[gone].mean);
+      }
+      add(both);
     }
     for (const Cluster& cluster : clusters)
     {
       if (!cluster.is_alive || cluster.number_of_nodes < 2)
         continue;
       const std::size_t node = m_network.nodes.size();
-      m_network.nodes.push_back(cluster.belief.mean());
+      m_network.nodes.push_back(cluster.mean);
       for (const Curve_end& end : cluster.members)
         attach(end, node);
     }
@@ -107,66 +124,57 @@ public:
   // a node next to the inside of another curve splits that curve
   void attach_ends_to_passing_curves()
   {
-    Segment_grid grid;
-    for (std::size_t c = 0; c < m_network.curves.size(); ++c)
-      if (m_network.curves[c].is_alive)
-        grid.add(c, m_network.curves[c].points);
-    struct Split
-    {
-      std::size_t node, curve;
-      Segment_grid::Hit hit;
-    };
-    std::vector<Split> splits;
-    const auto incidences = m_network.incidences();
-    for (std::size_t node = 0; node < incidences.size(); ++node)
-    {
-      if (incidences[node].empty())
-        continue;
-      Position_belief common;
-      for (const Curve_end& end : incidences[node])
-        common = common * belief(end);
-      const Vector position = incidences[node].size() > 1 ? m_network.nodes[node] : common.mean();
-      std::vector<Segment_grid::Hit> best_of_curve;
-      grid.visit(position, 3., [&](const Segment_grid::Hit& hit) {
-        for (Segment_grid::Hit& other : best_of_curve)
-          if (other.curve == hit.curve)
-          {
-            if (hit.distance < other.distance)
-              other = hit;
-            return;
-          }
-        best_of_curve.push_back(hit);
-      });
-      for (const Segment_grid::Hit& hit : best_of_curve)
-      {
-        if (!is_inside(hit))
-          continue;
-        const Position_belief line = Position_belief::along_line(
-          hit.point, hit.direction, (std::numeric_limits<double>::infinity)(), m_options.across());
-        const Position_belief both = common * line;
-        if (both.disagreement() - common.disagreement() < m_options.maximum_disagreement)
-          splits.push_back({node, hit.curve, hit});
-      }
-    }
-    // splits of one curve, from its end to its beginning, keep the indices of the segments valid
+    Incidences incidences = m_network.incidences();
+    std::vector<Split> splits = proposed_splits(incidences);
     std::sort(splits.begin(), splits.end(), [](const Split& a, const Split& b) {
-      return std::make_tuple(a.curve, b.hit.segment, a.node) < std::make_tuple(b.curve, a.hit.segment, b.node);
+      return std::tie(a.curve, b.segment, a.node) < std::tie(b.curve, a.segment, b.node);
     });
+    std::vector<std::size_t> pieces; // of the curve that is split
     for (std::size_t k = 0; k < splits.size(); ++k)
     {
-      const std::size_t shift = split_curve(splits[k].curve, splits[k].hit, splits[k].node);
-      for (std::size_t other = k + 1; other < splits.size() && splits[other].curve == splits[k].curve; ++other)
-        splits[other].hit.segment += shift;
+      if (k == 0 || splits[k].curve != splits[k - 1].curve)
+        pieces.assign(1, splits[k].curve);
+      split_curve(pieces, splits[k], incidences);
     }
   }
 
 private:
+  Cluster cluster_of(const std::vector<Curve_end>& ends) const
+  {
+    Cluster result;
+    result.members = ends;
+    Position_belief product = belief(ends[0]);
+    for (std::size_t k = 1; k < ends.size(); ++k)
+      product = product * belief(ends[k]);
+    result.set_belief(product);
+    return result;
+  }
+
+  static Cluster merged(const Cluster& a, const Cluster& b)
+  {
+    Cluster result;
+    result.members = a.members;
+    result.members.insert(result.members.end(), b.members.begin(), b.members.end());
+    result.number_of_nodes = a.number_of_nodes + b.number_of_nodes;
+    result.set_belief(a.belief * b.belief);
+    return result;
+  }
+
+  // by how much the beliefs of two clusters disagree with each other
+  double cost_of_merging(const Cluster& a, const Cluster& b) const
+  {
+    if (!may_meet(a, b))
+      return (std::numeric_limits<double>::infinity)();
+    return (a.belief * b.belief).disagreement() - a.disagreement - b.disagreement;
+  }
+
   Position_belief belief(const Curve_end& end) const
   {
     const Network_curve& curve = m_network.curves[end.first];
     const Local_curve& tip = curve.tips[end.second];
-    const double along = curve.ends_in_void[end.second] ? m_options.along() + 1.5 : m_options.along();
-    const double ahead = curve.ends_in_void[end.second] ? 1.3 : 0.3;
+    const bool is_in_void = curve.ends_in_void[end.second];
+    const double along = is_in_void ? m_options.along() + more_doubt_in_void : m_options.along();
+    const double ahead = is_in_void ? shortfall_in_void : usual_shortfall;
     return Position_belief::along_line(tip.at(ahead), tip.tangent_at(ahead), along, m_options.across());
   }
 
@@ -175,53 +183,143 @@ private:
   {
     for (const Curve_end& i : a.members)
       for (const Curve_end& j : b.members)
-        if (i.first == j.first && polyline_length(m_network.curves[i.first].points) < 8.)
+        if (i.first == j.first && polyline_length(m_network.curves[i.first].points) < shortest_return)
           return false;
     return true;
   }
 
-  // returns by how much the indices of the segments before grow: a closed curve begins anew where it is opened
-  std::size_t split_curve(std::size_t c, const Segment_grid::Hit& hit, std::size_t node)
+  std::vector<Split> proposed_splits(const Incidences& incidences) const
   {
-    const Curve_network& network = m_network;
-    std::vector<Vector> points = network.curves[c].points;
-    if (hit.segment + 1 >= points.size())
-      return 0;
-    const auto incidences = m_network.incidences();
-    if (incidences[node].size() == 1)
+    Segment_grid grid;
+    for (std::size_t c = 0; c < m_network.curves.size(); ++c)
+      if (m_network.curves[c].is_alive)
+        grid.add(c, m_network.curves[c].points);
+    std::vector<Split> splits;
+    for (std::size_t node = 0; node < incidences.size(); ++node)
     {
-      m_network.nodes[node] = hit.point;
-      attach(incidences[node].front(), node);
-      points = network.curves[c].points;
-      if (hit.segment + 1 >= points.size())
-        return 0;
+      if (incidences[node].empty())
+        continue;
+      Position_belief common;
+      for (const Curve_end& end : incidences[node])
+        common = common * belief(end);
+      const Vector position = incidences[node].size() > 1 ? m_network.nodes[node] : common.mean();
+      for (const Segment_grid::Hit& hit : nearest_of_each_curve(grid, position))
+      {
+        if (!is_inside(hit))
+          continue;
+        const Position_belief line = Position_belief::along_line(
+          hit.point, hit.direction, (std::numeric_limits<double>::infinity)(), m_options.across());
+        const Position_belief both = common * line;
+        if (both.disagreement() - common.disagreement() < m_options.maximum_disagreement)
+          splits.push_back({node, hit.curve, hit.segment, hit.point});
+      }
     }
+    return splits;
+  }
+
+  static std::vector<Segment_grid::Hit> nearest_of_each_curve(const Segment_grid& grid, const Vector& position)
+  {
+    std::vector<Segment_grid::Hit> result;
+    grid.visit(position, farthest_passing_curve, [&](const Segment_grid::Hit& hit) {
+      for (Segment_grid::Hit& other : result)
+        if (other.curve == hit.curve)
+        {
+          if (hit.distance < other.distance)
+            other = hit;
+          return;
+        }
+      result.push_back(hit);
+    });
+    return result;
+  }
+
+  // splits that one of the pieces of a curve which passes the place
+  void split_curve(std::vector<std::size_t>& pieces, const Split& split, Incidences& incidences)
+  {
+    std::vector<Curve_end>& ends = incidences[split.node];
+    if (ends.empty()) // they were moved to another node
+      return;
+    if (ends.size() == 1)
+    {
+      m_network.nodes[split.node] = split.place;
+      attach(ends.front(), split.node);
+    }
+    const Place_on_curve at = nearest_place(pieces, split.place);
+    Network_curve& curve = m_network.curves[at.curve];
+    for (std::size_t end : curve.nodes)
+      if (end != no_node && end != split.node && (m_network.nodes[end] - split.place).norm() < least_piece)
+      {
+        move_ends(split.node, end, incidences); // an earlier split was there
+        return;
+      }
+    if (curve.is_closed_without_node())
+    {
+      open(curve, at.segment, split.node);
+      ends.insert(ends.end(), {{at.curve, 0}, {at.curve, 1}});
+      return;
+    }
+    const std::size_t beyond = m_network.curves.size();
+    std::vector<Curve_end>& ends_beyond = incidences[curve.nodes[1]];
+    rename(ends_beyond, {at.curve, 1}, {beyond, 1});
+    ends.insert(ends.end(), {{at.curve, 1}, {beyond, 0}});
+    m_network.curves.push_back(cut_off(curve, at.segment, split.node));
+    pieces.push_back(beyond);
+  }
+
+  void move_ends(std::size_t from, std::size_t to, Incidences& incidences)
+  {
+    for (const Curve_end& end : incidences[from])
+    {
+      attach(end, to);
+      incidences[to].push_back(end);
+    }
+    incidences[from].clear();
+  }
+
+  Place_on_curve nearest_place(const std::vector<std::size_t>& curves, const Vector& p) const
+  {
+    Place_on_curve best;
+    for (std::size_t c : curves)
+    {
+      const std::vector<Vector>& points = m_network.curves[c].points;
+      for (std::size_t k = 1; k < points.size(); ++k)
+      {
+        const double squared_distance = squared_distance_to_segment(p, points[k - 1], points[k]);
+        if (squared_distance < best.squared_distance)
+          best = {squared_distance, c, k - 1};
+      }
+    }
+    return best;
+  }
+
+  // lets a closed curve start and end at a node in one of its segments
+  void open(Network_curve& curve, std::size_t segment, std::size_t node) const
+  {
+    const std::vector<Vector>& points = curve.points;
     const Vector position = m_network.nodes[node];
-    if (network.curves[c].is_closed_without_node())
-    {
-      // a closed curve is opened at the node
-      std::vector<Vector> opened{position};
-      opened.insert(opened.end(), points.begin() + hit.segment + 1, points.end() - 1);
-      opened.insert(opened.end(), points.begin(), points.begin() + hit.segment + 1);
-      opened.push_back(position);
-      Network_curve& curve = m_network.curves[c];
-      curve.points = opened;
-      curve.nodes = {node, node};
-      set_tips(curve);
-      return points.size() - 1 - hit.segment;
-    }
-    Network_curve second = network.curves[c];
-    second.points.assign(points.begin() + hit.segment + 1, points.end());
-    second.points.insert(second.points.begin(), position);
-    second.nodes[0] = node;
-    set_tip(second, 0);
-    Network_curve& first = m_network.curves[c];
-    first.points.resize(hit.segment + 1);
-    first.points.push_back(position);
-    first.nodes[1] = node;
-    set_tip(first, 1);
-    m_network.curves.push_back(second);
-    return 0;
+    std::vector<Vector> opened{position};
+    opened.insert(opened.end(), points.begin() + segment + 1, points.end() - 1);
+    opened.insert(opened.end(), points.begin(), points.begin() + segment + 1);
+    opened.push_back(position);
+    curve.points = opened;
+    curve.nodes = {node, node};
+    set_tips(curve);
+  }
+
+  // lets a curve end at a node in one of its segments, and returns what lies beyond
+  Network_curve cut_off(Network_curve& curve, std::size_t segment, std::size_t node) const
+  {
+    const Vector position = m_network.nodes[node];
+    Network_curve rest = curve;
+    rest.points.assign(curve.points.begin() + segment + 1, curve.points.end());
+    rest.points.insert(rest.points.begin(), position);
+    rest.nodes[0] = node;
+    set_tip(rest, 0);
+    curve.points.resize(segment + 1);
+    curve.points.push_back(position);
+    curve.nodes[1] = node;
+    set_tip(curve, 1);
+    return rest;
   }
 };
 

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -30,6 +31,32 @@ namespace internal {
 // Joins the ends of traced curves in a network.
 class Curve_end_joiner : private Network_editor
 {
+  // Lengths in r, angles in radians.
+  // How far before a corner a rounded course starts. The first is the least that leaves other points than the node;
+  // the last reaches as far as balls of radius_of_fits, in which the two courses are compared.
+  static constexpr double rounding_reaches[] = {0.7, 1.2, 1.8, 2.5, 3.5, 4.5};
+  static constexpr int pieces_of_arc = 10;        // 0.6 at most, where arcs are 6 long: about the step of a trace
+  static constexpr double straight_turn = 1e-3;   // less is a straight line, for which the handle is a third
+  static constexpr double points_per_length = 2.; // of straight edges, as of traces
+  static constexpr std::size_t least_pieces = 4;
+  static constexpr double least_edge = 1.; // nodes within what one point covers are no two corners
+
+  // Free ends lead to nodes ahead that are farther than those that beliefs compare, and to such that a trace has run
+  // past by no more than along(); if these lie within two standard deviations aside, and within the error of a
+  // direction, 0.1 (6 degrees), farther away.
+  static constexpr double reach_ahead = 1.6; // in units of the reach of beliefs
+  static constexpr double farthest_behind = 1.;
+  static constexpr double deviations_aside = 2., slope_aside = 0.1;
+
+  // A gap is bridged by an arc that turns by 69 degrees at most, and by less where it is short: by 0.35 (as two curves
+  // that lead on smoothly) and what a circle of radius 1 / 0.06 = 17 turns over the gap.
+  static constexpr double largest_turn_of_bridge = 1.2;
+  static constexpr double turn_of_bridge = 0.35, turn_per_gap = 0.06;
+
+  // A crease ends where the last so many places in a row have one: single ones occur beside creases as well.
+  static constexpr int places_in_a_row = 3;
+  static constexpr double least_trimmed = 3.; // of what is left of a curve: less is within the ball of one fit
+
 public:
   using Network_editor::Network_editor;
 
@@ -47,49 +74,80 @@ public:
     tangencies.separate_tangent_curves();
   }
 
+  // free ends that lead to a node a little farther on
+  void extend_free_ends()
+  {
+    const auto incidences = m_network.incidences();
+    std::vector<std::size_t> targets;
+    std::vector<Vector> positions;
+    for (std::size_t node = 0; node < incidences.size(); ++node)
+      if (incidences[node].size() > 1)
+      {
+        targets.push_back(node);
+        positions.push_back(m_network.nodes[node]);
+      }
+    const Ball_search search(positions);
+    std::vector<std::size_t> found;
+    for (const std::vector<Curve_end>& ends : incidences)
+    {
+      if (ends.size() != 1)
+        continue;
+      search.query(tip(ends[0]).point, reach_ahead * m_options.reach, found);
+      double nearest = (std::numeric_limits<double>::infinity)(), depth_of_nearest = 0.;
+      std::size_t target = no_node;
+      for (double depth : depths)
+      {
+        const std::optional<Local_curve> end = inner_tip(ends[0], depth);
+        if (target != no_node || !end)
+          break;
+        for (std::size_t k : found)
+        {
+          const Vector offset = positions[k] - end->point;
+          const double ahead = offset.dot(end->tangent);
+          const double miss = (offset - ahead * end->tangent).norm();
+          if (ahead > -farthest_behind && miss < deviations_aside * m_options.across() + slope_aside * std::abs(ahead)
+              && std::abs(ahead) < nearest && m_network.curves[ends[0].first].nodes[1 - ends[0].second] != targets[k])
+          {
+            nearest = std::abs(ahead);
+            depth_of_nearest = depth;
+            target = targets[k];
+          }
+        }
+      }
+      if (target != no_node)
+      {
+        shorten(ends[0], depth_of_nearest);
+        attach(ends[0], target);
+      }
+    }
+  }
+
+  // free ends that face each other
+  void bridge_gaps()
+  {
+    bridge(
+      free_ends(), [](std::size_t, std::size_t) { return true; },
+      [this](const Bridging_arc& arc) {
+        return arc.turn <= largest_turn_of_bridge
+          ? (std::max)(
+            {arc.mismatch, arc.turn / (turn_of_bridge + turn_per_gap * arc.gap), arc.gap / m_options.maximum_bridge})
+          : most_costly_bridge;
+      });
+  }
+
   // Removes joints of two curves where a rounded course explains the field better than a corner:
   // loss(center, radius, polylines) tells how badly polylines explain it.
   template <class Loss>
   void round_off(const Loss& loss, double margin)
   {
-    for (const std::vector<Curve_end>& ends : m_network.incidences())
+    Incidences incidences = m_network.incidences();
+    for (std::size_t node = 0; node < incidences.size(); ++node)
     {
-      if (ends.size() != 2 || ends[0].first == ends[1].first)
+      if (incidences[node].size() != 2)
         continue;
-      Network_curve &first = m_network.curves[ends[0].first], &second = m_network.curves[ends[1].first];
-      if (!first.is_alive || !second.is_alive || std::count(first.nodes.begin(), first.nodes.end(), no_node) > 0)
-        continue;
-      const Vector corner = ends[0].second == 0 ? first.points.front() : first.points.back();
-      double best = loss(corner, 4., {&first.points, &second.points})
-        + (tip(ends[0]).tangent.dot(tip(ends[1]).tangent) < -std::cos(m_options.rounded_turn) ? margin : -margin);
-      std::vector<Vector> rounded_first, rounded_second;
-      for (double reach : {0.7, 1.2, 1.8, 2.5, 3.5, 4.5})
-      {
-        const std::vector<Vector> a = cut_back(first.points, ends[0].second, reach),
-                                  b = cut_back(second.points, ends[1].second, reach);
-        if (a.size() < 2 || b.size() < 2)
-          break;
-        std::vector<Vector> with_arc = a;
-        append_arc(with_arc, end_direction(a), b.back(), -end_direction(b));
-        const double rounded = loss(corner, 4., {&with_arc, &b});
-        if (rounded < best)
-        {
-          best = rounded;
-          rounded_first = with_arc;
-          rounded_second = b;
-        }
-      }
-      if (rounded_first.empty())
-        continue;
-      rounded_first.push_back(corner); // stands for the node until the two are one
-      rounded_second.push_back(corner);
-      if (ends[0].second == 0)
-        std::reverse(rounded_first.begin(), rounded_first.end());
-      if (ends[1].second == 0)
-        std::reverse(rounded_second.begin(), rounded_second.end());
-      first.points = rounded_first;
-      second.points = rounded_second;
-      concatenate(ends[0], ends[1]);
+      const Curve_end a = incidences[node][0], b = incidences[node][1];
+      if (a.first != b.first && round_joint(a, b, loss, margin))
+        join_ends(a, b, incidences);
     }
   }
 
@@ -115,7 +173,7 @@ public:
       search.query(positions[i], longest, found);
       for (std::size_t j : found)
       {
-        if (i >= j || (positions[i] - positions[j]).norm() < 1.)
+        if (i >= j || (positions[i] - positions[j]).norm() < least_edge)
           continue;
         const std::vector<Curve_end>&a = incidences[used[i]], &b = incidences[used[j]];
         std::vector<Vector> polyline = straight(positions[i], positions[j]);
@@ -177,10 +235,10 @@ public:
         std::reverse(points.begin(), points.end());
       std::size_t last = points.size();
       int run = 0;
-      while (last > 0 && run < 3)
+      while (last > 0 && run < places_in_a_row)
         run = is_on_crease(points[--last]) ? run + 1 : 0;
-      last = (std::min)(points.size() - 1, last + 2);
-      if (run < 3)
+      last = (std::min)(points.size() - 1, last + places_in_a_row - 1);
+      if (run < places_in_a_row)
       {
         curve.is_alive = polyline_length(curve.points) > longest;
         continue;
@@ -188,7 +246,7 @@ public:
       if (last + 1 == points.size())
         continue;
       points.resize(last + 1);
-      if (points.size() < 2 || polyline_length(points) < 3.)
+      if (points.size() < 2 || polyline_length(points) < least_trimmed)
       {
         curve.is_alive = false;
         continue;
@@ -228,9 +286,49 @@ public:
   }
 
 private:
+  // Returns whether the field asks for a rounded course; then the two curves follow it, and only need to be joined.
+  template <class Loss>
+  bool round_joint(const Curve_end& a, const Curve_end& b, const Loss& loss, double margin)
+  {
+    Network_curve &first = m_network.curves[a.first], &second = m_network.curves[b.first];
+    const Vector corner = a.second == 0 ? first.points.front() : first.points.back();
+    double best = loss(corner, radius_of_fits, {&first.points, &second.points})
+      + (tip(a).tangent.dot(tip(b).tangent) < -std::cos(m_options.rounded_turn) ? margin : -margin);
+    std::vector<Vector> rounded_first, rounded_second;
+    for (double reach : rounding_reaches)
+    {
+      const std::vector<Vector> head = cut_back(first.points, a.second, reach),
+                                tail = cut_back(second.points, b.second, reach);
+      if (head.size() < 2 || tail.size() < 2)
+        break;
+      std::vector<Vector> with_arc = head;
+      append_arc(with_arc, end_direction(head), tail.back(), -end_direction(tail));
+      const double rounded = loss(corner, radius_of_fits, {&with_arc, &tail});
+      if (rounded < best)
+      {
+        best = rounded;
+        rounded_first = with_arc;
+        rounded_second = tail;
+      }
+    }
+    if (rounded_first.empty())
+      return false;
+    rounded_first.push_back(corner); // stands for the node until the two are one
+    rounded_second.push_back(corner);
+    if (a.second == 0)
+      std::reverse(rounded_first.begin(), rounded_first.end());
+    if (b.second == 0)
+      std::reverse(rounded_second.begin(), rounded_second.end());
+    first.points = rounded_first;
+    second.points = rounded_second;
+    return true;
+  }
+
+  static Vector end_direction(const std::vector<Vector>& points) { return Inward_view(points, 1).direction(0); }
+
   static std::vector<Vector> straight(const Vector& a, const Vector& b)
   {
-    const std::size_t count = (std::max)(std::size_t(4), static_cast<std::size_t>(2. * (b - a).norm()));
+    const std::size_t count = (std::max)(least_pieces, static_cast<std::size_t>(points_per_length * (b - a).norm()));
     std::vector<Vector> points;
     for (std::size_t k = 0; k <= count; ++k)
       points.push_back(a + (b - a) * (double(k) / double(count)));
@@ -243,73 +341,14 @@ private:
     const Vector from = points.back();
     const double turn = std::acos((std::min)(1., (std::max)(-1., leave.dot(arrive))));
     const double chord = (to - from).norm();
-    const double handle = turn > 1e-3 ? (std::min)(1., 2. / 3. * std::tan(turn / 4.) / std::sin(turn / 2.)) : 1. / 3.;
+    const double handle =
+      turn > straight_turn ? (std::min)(1., 2. / 3. * std::tan(turn / 4.) / std::sin(turn / 2.)) : 1. / 3.;
     const Vector first = from + handle * chord * leave, second = to - handle * chord * arrive;
-    for (int k = 1; k <= 10; ++k)
+    for (int k = 1; k <= pieces_of_arc; ++k)
     {
-      const double t = k / 10., u = 1. - t;
+      const double t = double(k) / pieces_of_arc, u = 1. - t;
       points.push_back(u * u * u * from + 3. * u * u * t * first + 3. * u * t * t * second + t * t * t * to);
     }
-  }
-
-  // free ends that lead to a node a little farther on
-  void extend_free_ends()
-  {
-    const auto incidences = m_network.incidences();
-    std::vector<std::size_t> targets;
-    std::vector<Vector> positions;
-    for (std::size_t node = 0; node < incidences.size(); ++node)
-      if (incidences[node].size() > 1)
-      {
-        targets.push_back(node);
-        positions.push_back(m_network.nodes[node]);
-      }
-    const Ball_search search(positions);
-    std::vector<std::size_t> found;
-    for (const std::vector<Curve_end>& ends : incidences)
-    {
-      if (ends.size() != 1)
-        continue;
-      search.query(tip(ends[0]).point, 1.6 * m_options.reach, found);
-      double nearest = (std::numeric_limits<double>::infinity)(), depth_of_nearest = 0.;
-      std::size_t target = no_node;
-      for (double depth : depths)
-      {
-        if (target != no_node || !has_depth(ends[0], depth))
-          break;
-        const Local_curve end = inner_tip(ends[0], depth);
-        for (std::size_t k : found)
-        {
-          const Vector offset = positions[k] - end.point;
-          const double ahead = offset.dot(end.tangent);
-          const double miss = (offset - ahead * end.tangent).norm();
-          if (ahead > -1. && miss < 2. * m_options.across() + 0.1 * std::abs(ahead) && ahead < nearest
-              && m_network.curves[ends[0].first].nodes[1 - ends[0].second] != targets[k])
-          {
-            nearest = ahead;
-            depth_of_nearest = depth;
-            target = targets[k];
-          }
-        }
-      }
-      if (target != no_node)
-      {
-        shorten(ends[0], depth_of_nearest);
-        attach(ends[0], target);
-      }
-    }
-  }
-
-  // free ends that face each other
-  void bridge_gaps()
-  {
-    bridge(
-      free_ends(), [](std::size_t, std::size_t) { return true; },
-      [this](const Bridging_arc& arc) {
-        return arc.turn <= 1.2
-          ? (std::max)({arc.mismatch, arc.turn / (0.35 + 0.06 * arc.gap), arc.gap / m_options.maximum_bridge})
-          : 1.;
-      });
   }
 };
 

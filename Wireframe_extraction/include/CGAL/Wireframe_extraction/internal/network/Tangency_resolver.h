@@ -17,7 +17,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -28,8 +30,15 @@ namespace internal {
 // point of contact. They lead through it all the same, and there is no vertex.
 class Tangency_resolver : private Network_editor
 {
-  static constexpr double tangential_turn = 0.5;
-  static constexpr double largest_turn = 2.5; // of a curve where it touches another one
+  // In radians: by how much two curves that touch may seem to turn where one goes over into the other (29 degrees: a
+  // circle of radius 12 r turns so much over the 6 r by which its direction is measured behind the contact), and how
+  // much a curve may turn where it touches another one (143 degrees, or it comes back).
+  static constexpr double tangential_turn = 0.5, largest_turn = 2.5;
+  // From an end to the curve it touches, in r: a trace follows its curve until the fits see both.
+  static constexpr double reach_of_contact = 0.8, reach_of_contact_per_noise = 2.;
+  // Behind the ends, the farthest first: close to them the two curves disturb each other. In r.
+  static constexpr double depths_of_partners[] = {9., 6., 3.};
+  static constexpr double largest_mismatch = 1.; // of partners, in units of what is smooth
 
 public:
   using Network_editor::Network_editor;
@@ -41,7 +50,7 @@ public:
     for (std::size_t c = 0; c < m_network.curves.size(); ++c)
       if (m_network.curves[c].is_alive)
         grid.add(c, m_network.curves[c].points);
-    const double reach = 0.8 + 2. * m_options.noise;
+    const double reach = reach_of_contact + reach_of_contact_per_noise * m_options.noise;
     std::vector<Candidate> candidates;
     std::vector<Curve_end> ends;
     for (const std::vector<Curve_end>& around : m_network.incidences())
@@ -74,7 +83,7 @@ public:
           && (a.touched == b.touched || a.touched == Segment_grid::no_curve || b.touched == Segment_grid::no_curve)
           && node_of(ends[i]) != node_of(ends[j]);
       },
-      [](const Bridging_arc& arc) { return arc.turn < largest_turn ? arc.mismatch : 1.; });
+      [](const Bridging_arc& arc) { return arc.turn < largest_turn ? arc.mismatch : most_costly_bridge; });
     dissolve_smooth_joints();
   }
 
@@ -119,8 +128,6 @@ private:
     std::size_t touched; // the curve, if it is known
   };
 
-  std::size_t node_of(const Curve_end& end) const { return m_network.curves[end.first].nodes[end.second]; }
-
   static std::vector<Curve_end> others(const std::vector<Curve_end>& ends, const Curve_end& one)
   {
     std::vector<Curve_end> result;
@@ -131,10 +138,7 @@ private:
   }
 
   // the course behind the last part, where other curves disturb it
-  Vector direction(const Curve_end& end) const
-  {
-    return inner_tip(end, has_depth(end, depths[1]) ? depths[1] : 0.).tangent;
-  }
+  Vector direction(const Curve_end& end) const { return inner_tip(end, depths[1]).value_or(tip(end)).tangent; }
 
   bool lead_on(const std::vector<Curve_end>& ends, const Curve_end& from) const
   {
@@ -154,17 +158,19 @@ private:
       largest[k] = (std::max)(first, second);
     }
     const std::size_t partner = sums[0] < sums[1] ? 0 : 1;
-    if (!(largest[partner] < 1.))
+    if (!(largest[partner] < largest_mismatch))
       return false;
     const std::array<std::size_t, 2> nodes = {node_of(a[0]), node_of(b[0])};
-    lead_through(a[0], b[partner], between);
+    lead(a[0], b[partner], between);
+    Incidences incidences = m_network.incidences();
+    join_ends(a[0], b[partner], incidences);
     // what is left in the nodes leads on as well
-    for (std::size_t node : nodes)
-    {
-      std::vector<Curve_end> ends = m_network.incidences()[node];
-      if (ends.size() == 2)
-        join_ends(ends[0], ends[1]);
-    }
+    for (std::size_t rest : nodes)
+      if (incidences[rest].size() == 2)
+      {
+        const Curve_end first = incidences[rest][0], second = incidences[rest][1];
+        join_ends(first, second, incidences);
+      }
     return true;
   }
 
@@ -172,17 +178,20 @@ private:
   // other
   double mismatch(const Curve_end& a, const Curve_end& b) const
   {
-    for (double depth : {9., 6., 3.})
+    for (double depth : depths_of_partners)
     {
-      const Bridging_arc arc = bridging_arc(a, depth, b, depth);
+      const std::optional<Local_curve> ta = inner_tip(a, depth), tb = inner_tip(b, depth);
+      if (!ta || !tb)
+        continue;
+      const Bridging_arc arc = bridging_arc(a, *ta, b, *tb);
       if (arc.turn < largest_turn)
         return arc.mismatch;
     }
     return (std::numeric_limits<double>::infinity)();
   }
 
-  // appends the polyline to the curve of `a`, and joins that to the curve of `b`
-  void lead_through(const Curve_end& a, const Curve_end& b, const std::vector<Vector>& between)
+  // appends the polyline to the curve of `a`, and gives its end and that of the curve of `b` a node of their own
+  void lead(const Curve_end& a, const Curve_end& b, const std::vector<Vector>& between)
   {
     Network_curve& curve = m_network.curves[a.first];
     const std::size_t node = m_network.nodes.size();
@@ -196,7 +205,6 @@ private:
     curve.points = points;
     curve.nodes[a.second] = node;
     m_network.curves[b.first].nodes[b.second] = node;
-    join_ends(a, b);
   }
 };
 

@@ -1,0 +1,602 @@
+// What each step that joins, rounds, cuts and adds curves of a network promises, on networks drawn by hand.
+
+#include <CGAL/Wireframe_extraction/internal/network/Curve_end_joiner.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Wireframe_extraction::internal;
+
+typedef std::vector<Vector> Polyline;
+
+const Joining_options options;
+const double quarter_turn = std::acos(0.);
+
+Polyline straight(const Vector& from, const Vector& to, double spacing = 0.5)
+{
+  const std::size_t count =
+    std::max(std::size_t(1), static_cast<std::size_t>(std::round((to - from).norm() / spacing)));
+  Polyline points;
+  for (std::size_t k = 0; k <= count; ++k)
+    points.push_back(from + (to - from) * (double(k) / double(count)));
+  return points;
+}
+
+Polyline operator+(Polyline head, const Polyline& tail)
+{
+  head.insert(head.end(), tail.begin() + 1, tail.end());
+  return head;
+}
+
+Traced_curve open_curve(const Polyline& points)
+{
+  Traced_curve curve;
+  curve.points = points;
+  const std::size_t n = points.size();
+  curve.tips[0].point = points.front();
+  curve.tips[0].tangent = (points[0] - points[1]).normalized();
+  curve.tips[1].point = points.back();
+  curve.tips[1].tangent = (points[n - 1] - points[n - 2]).normalized();
+  return curve;
+}
+
+// curves whose ends lie at the same place share a node
+Curve_network network_of(const std::vector<Polyline>& polylines)
+{
+  Curve_network network;
+  for (const Polyline& points : polylines)
+  {
+    const Traced_curve traced = open_curve(points);
+    Network_curve curve;
+    curve.points = traced.points;
+    for (int e = 0; e < 2; ++e)
+    {
+      curve.tips[e] = traced.tips[e];
+      const Vector& end = e == 0 ? points.front() : points.back();
+      std::size_t node = 0;
+      while (node < network.nodes.size() && network.nodes[node] != end)
+        ++node;
+      if (node == network.nodes.size())
+        network.nodes.push_back(end);
+      curve.nodes[e] = node;
+    }
+    network.curves.push_back(curve);
+  }
+  return network;
+}
+
+std::vector<Network_curve> living(const Curve_network& network)
+{
+  std::vector<Network_curve> result;
+  for (const Network_curve& curve : network.curves)
+    if (curve.is_alive)
+      result.push_back(curve);
+  return result;
+}
+
+std::vector<double> sorted_lengths(const Curve_network& network)
+{
+  std::vector<double> result;
+  for (const Network_curve& curve : living(network))
+    result.push_back(polyline_length(curve.points));
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+bool are_near(const std::vector<double>& a, const std::vector<double>& b, double tolerance)
+{
+  return a.size() == b.size()
+    && std::equal(a.begin(), a.end(), b.begin(), [&](double x, double y) { return std::abs(x - y) < tolerance; });
+}
+
+std::size_t number_of_ends_at(const Curve_network& network, const Vector& p, double tolerance)
+{
+  std::size_t result = 0;
+  for (const Network_curve& curve : living(network))
+    for (int e = 0; e < 2; ++e)
+      if (curve.nodes[e] != no_node && (network.nodes[curve.nodes[e]] - p).norm() < tolerance)
+        ++result;
+  return result;
+}
+
+// every curve starts and ends where its nodes are
+void check_ends(const Curve_network& network)
+{
+  for (const Network_curve& curve : living(network))
+  {
+    assert(curve.points.size() >= 2);
+    if (curve.is_closed_without_node())
+      continue;
+    assert((network.nodes[curve.nodes[0]] - curve.points.front()).norm() < 1e-9);
+    assert((network.nodes[curve.nodes[1]] - curve.points.back()).norm() < 1e-9);
+  }
+}
+
+double largest_turn(const Polyline& points)
+{
+  double result = 0.;
+  Vector last = Vector::Zero(); // direction
+  for (std::size_t k = 1; k < points.size(); ++k)
+    if ((points[k] - points[k - 1]).norm() > 1e-6)
+    {
+      const Vector next = (points[k] - points[k - 1]).normalized();
+      if (last.norm() > 0.)
+        result = std::max(result, std::acos(std::max(-1., std::min(1., last.dot(next)))));
+      last = next;
+    }
+  return result;
+}
+
+// Ends that pass into other curves ------------------------------------------------------------------
+
+// Curve 1 starts on curve 0, which changes its points; curve 2 ends on curve 1 all the same.
+void test_split_of_a_curve_whose_end_splits_another_one()
+{
+  for (double start : {0.05, 0.6, 1., -1.2})
+  {
+    Curve_network network(std::vector<Traced_curve>{
+      open_curve(straight(Vector(-30., 0., 0.), Vector(30., 0., 0.))),
+      open_curve(straight(Vector(0., start, 0.), Vector(0., 30., 0.))),
+      open_curve(straight(Vector(20., 15.25, 0.), Vector(0.2, 15.25, 0.))),
+    });
+    Corner_merger(network, options).attach_ends_to_passing_curves();
+    check_ends(network);
+    assert(are_near(sorted_lengths(network), {14.75, 15.25, 20., 30., 30.}, 1e-6));
+    for (const Network_curve& curve : living(network))
+      assert(largest_turn(curve.points) < 0.1);
+  }
+}
+
+// Ends split a segment in the order of their places, whatever the order of their nodes.
+void test_several_ends_on_one_segment()
+{
+  for (const std::vector<double>& places :
+       {std::vector<double>{12., 18.}, {18., 12.}, {6., 24., 12., 18.}, {24., 6., 18., 12.}})
+    for (double direction : {1., -1.})
+    {
+      const Vector end(15. * direction, 0., 0.);
+      std::vector<Traced_curve> curves{open_curve({-end, end})};
+      for (double place : places)
+      {
+        const Vector foot = -end + end * (place / 15.);
+        curves.push_back(open_curve(straight(foot + Vector(0., 20., 0.), foot + Vector(0., 0.2, 0.))));
+      }
+      Curve_network network(curves);
+      Corner_merger(network, options).attach_ends_to_passing_curves();
+      check_ends(network);
+      std::vector<double> expected(places.size(), 20.);
+      for (std::size_t k = 0; k + 1 < places.size(); ++k)
+        expected.push_back(6.);
+      expected.push_back(30. - 6. * double(places.size()) + 6. - (places.size() == 2 ? 12. : 6.));
+      expected.push_back(places.size() == 2 ? 12. : 6.);
+      std::sort(expected.begin(), expected.end());
+      assert(are_near(sorted_lengths(network), expected, 1e-6));
+    }
+}
+
+// Two splits at the same place of a curve are one node, and no piece without length lies between them.
+void test_two_splits_at_one_place()
+{
+  const Vector place(0.25, 0., 0.);
+  Curve_network network = network_of({straight(Vector(-20., 0., 0.), Vector(20., 0., 0.)),
+                                      straight(Vector(0.25, 20., 0.), place), straight(Vector(0.25, -20., 0.), place)});
+  network.nodes.push_back(network.nodes[network.curves[1].nodes[1]]); // not yet the same
+  network.curves[2].nodes[1] = network.nodes.size() - 1;
+  Corner_merger(network, options).attach_ends_to_passing_curves();
+  check_ends(network);
+  assert(are_near(sorted_lengths(network), {19.75, 20., 20., 20.25}, 1e-6));
+  assert(network.curves[1].nodes[1] == network.curves[2].nodes[1]);
+}
+
+// Ends that meet in corners --------------------------------------------------------------------------
+
+void test_ends_that_agree_become_one_corner()
+{
+  const Vector corner(1., 2., 3.);
+  for (double shortfall : {0., 0.3, 1.})
+  {
+    std::vector<Traced_curve> curves;
+    for (int axis = 0; axis < 3; ++axis)
+      curves.push_back(
+        open_curve(straight(corner + shortfall * Vector::Unit(axis), corner + 20. * Vector::Unit(axis))));
+    curves.push_back(open_curve(straight(corner - Vector(8., 8., 8.), corner - Vector(20., 20., 20.))));
+    Curve_network network(curves);
+    Corner_merger(network, options).merge_nodes_that_agree();
+    check_ends(network);
+    assert(number_of_ends_at(network, corner, 0.2) == 3);
+    assert(number_of_ends_at(network, corner, 12.) == 3);
+  }
+}
+
+// of many corners side by side, each keeps its own ends
+void test_many_corners()
+{
+  std::vector<Traced_curve> curves;
+  const std::size_t side = 12;
+  for (std::size_t i = 0; i < side; ++i)
+    for (std::size_t j = 0; j < side; ++j)
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const Vector corner(30. * double(i), 30. * double(j), 0.);
+        curves.push_back(
+          open_curve(straight(corner + 0.4 * Vector::Unit(axis), corner + 10. * Vector::Unit(axis), 2.)));
+      }
+  Curve_network network(curves);
+  Corner_merger(network, options).merge_nodes_that_agree();
+  std::size_t corners = 0;
+  for (const auto& ends : network.incidences())
+  {
+    assert(ends.size() == 0 || ends.size() == 1 || ends.size() == 3);
+    corners += ends.size() == 3;
+  }
+  assert(corners == side * side);
+}
+
+void test_ends_of_a_short_curve_do_not_meet()
+{
+  for (double angle : {0.5, 1.})
+    for (double length : {7., 9.})
+    {
+      // an arc that turns until its two ends nearly face each other
+      Polyline points;
+      const double radius = length / (4. * quarter_turn - 0.2 * angle);
+      for (int k = 0; k <= 40; ++k)
+      {
+        const double at = (4. * quarter_turn - 0.2 * angle) * k / 40.;
+        points.push_back(radius * Vector(std::cos(at), std::sin(at), 0.));
+      }
+      Curve_network network(std::vector<Traced_curve>{open_curve(points)});
+      Corner_merger(network, options).merge_nodes_that_agree();
+      assert((network.curves[0].nodes[0] == network.curves[0].nodes[1]) == (length > 8.));
+    }
+}
+
+// Joints that are rounded ----------------------------------------------------------------------------
+
+double distance_to(const Vector& p, const std::vector<const Polyline*>& lines)
+{
+  double least = 1e9;
+  for (const Polyline* line : lines)
+    for (std::size_t k = 1; k < line->size(); ++k)
+      least = std::min(least, std::sqrt(squared_distance_to_segment(p, (*line)[k - 1], (*line)[k])));
+  return least;
+}
+
+// Every joint of a chain is asked once, whatever the order and the directions of its curves, and where the field likes
+// a rounded course better the chain is one smooth curve in the end.
+void test_round_off_asks_at_every_joint()
+{
+  const std::vector<Vector> corners{Vector(0., 0., 0.), Vector(0., 20., 0.), Vector(20., 20., 0.), Vector(20., 0., 0.),
+                                    Vector(40., 0., 0.)};
+  std::vector<std::size_t> order{0, 1, 2, 3};
+  do
+    for (unsigned turned = 0; turned < 16; ++turned)
+      for (bool is_rounded : {true, false})
+      {
+        std::vector<Polyline> lines;
+        for (std::size_t k : order)
+          lines.push_back(turned >> k & 1 ? straight(corners[k + 1], corners[k], 1.)
+                                          : straight(corners[k], corners[k + 1], 1.));
+        Curve_network network = network_of(lines);
+        std::vector<std::size_t> asked(corners.size(), 0);
+        Curve_end_joiner(network, options)
+          .round_off(
+            [&](const Vector& center, double, const std::vector<const Polyline*>& now) {
+              const double off = distance_to(center, now);
+              for (std::size_t k = 0; k < corners.size(); ++k)
+                asked[k] += center == corners[k] && off < 1e-6;
+              return is_rounded ? -off : off;
+            },
+            0.1);
+        assert((asked == std::vector<std::size_t>{0, 1, 1, 1, 0}));
+        check_ends(network);
+        const std::vector<Network_curve> curves = living(network);
+        assert(curves.size() == (is_rounded ? 1u : 4u));
+        if (!is_rounded)
+          continue;
+        assert(largest_turn(curves[0].points) < 0.35);
+        assert(distance_to(corners[2], {&curves[0].points}) > 1. && distance_to(corners[2], {&curves[0].points}) < 2.5);
+        for (const Vector& end : {corners.front(), corners.back()})
+          assert((curves[0].points.front() - end).norm() < 1e-9 || (curves[0].points.back() - end).norm() < 1e-9);
+      }
+  while (std::next_permutation(order.begin(), order.end()));
+}
+
+// A field that does not care leaves corners sharp, and rounds joints that hardly turn; where three curves meet nothing
+// is rounded, and nothing where a curve meets itself.
+void test_round_off_in_doubt()
+{
+  const auto indifferent = [](const Vector&, double, const std::vector<const Polyline*>&) { return 0.; };
+  const auto fond_of_arcs = [](const Vector& center, double, const std::vector<const Polyline*>& lines) {
+    return -distance_to(center, lines);
+  };
+  const Vector middle(0., 0., 0.), left(-20., 0., 0.);
+  for (double turn : {0.5, 0.7, 0.9, 1.5, 2.5})
+  {
+    const Vector right = 20. * Vector(std::cos(turn), std::sin(turn), 0.);
+    Curve_network network = network_of({straight(left, middle), straight(middle, right)});
+    Curve_end_joiner(network, options).round_off(indifferent, 0.1);
+    assert(living(network).size() == (turn < 0.8 ? 1u : 2u));
+    Curve_network fork =
+      network_of({straight(left, middle), straight(middle, right), straight(middle, Vector(0., 0., 20.))});
+    Curve_end_joiner(fork, options).round_off(fond_of_arcs, 0.1);
+    assert(living(fork).size() == 3);
+  }
+  Curve_network loop = network_of(
+    {straight(middle, left) + straight(left, Vector(-20., 20., 0.)) + straight(Vector(-20., 20., 0.), middle)});
+  Curve_end_joiner(loop, options).round_off(fond_of_arcs, 0.1);
+  assert(loop.curves[0].nodes[0] == loop.curves[0].nodes[1] && loop.curves[0].nodes[0] != no_node);
+}
+
+// Ends that are cut, pieces that go ------------------------------------------------------------------
+
+void test_trim_free_ends()
+{
+  const Vector fork(0., 0., 0.);
+  const std::vector<Polyline> rest{straight(Vector(0., 30., 0.), fork), straight(Vector(0., 0., 30.), fork)};
+  const auto trimmed = [&](const Polyline& line, auto is_on_crease) {
+    Curve_network network = network_of({line, rest[0], rest[1]});
+    Curve_end_joiner(network, options)
+      .trim_free_ends([&](const Vector& p) { return std::abs(p.x()) < 1e-9 || is_on_crease(p.x()); }, 25.);
+    check_ends(network);
+    return network;
+  };
+  const auto length = [](const Curve_network& network) { return polyline_length(network.curves[0].points); };
+  for (bool is_outward : {true, false})
+  {
+    const auto line = [&](double to) {
+      return is_outward ? straight(fork, Vector(to, 0., 0.)) : straight(Vector(to, 0., 0.), fork);
+    };
+    // up to where the crease ends, not farther; the end that others share is no free one
+    Curve_network network = trimmed(line(40.), [](double x) { return x > 5. && x < 25.2; });
+    assert(std::abs(length(network) - 25.) < 1e-9 && network.curves[0].is_alive);
+    const int end = is_outward ? 1 : 0;
+    assert((network.nodes[network.curves[0].nodes[end]] - Vector(25., 0., 0.)).norm() < 1e-9);
+    assert((network.curves[0].tips[end].tangent - Vector::UnitX()).norm() < 1e-9);
+    assert(number_of_ends_at(network, fork, 1e-9) == 3);
+    // a place or two that seem to have a crease are none
+    network = trimmed(line(40.), [](double x) { return x < 25.2 || std::abs(x - 33.25) < 0.3; });
+    assert(std::abs(length(network) - 25.) < 1e-9);
+    // all of it has one
+    network = trimmed(line(40.), [](double) { return true; });
+    assert(std::abs(length(network) - 40.) < 1e-9);
+    // none of it: long ones are left alone
+    const auto never = [](double) { return false; };
+    assert(trimmed(line(26.), never).curves[0].is_alive && !trimmed(line(24.), never).curves[0].is_alive);
+    assert(std::abs(length(trimmed(line(26.), never)) - 26.) < 1e-9);
+    // what is left is too short
+    assert(!trimmed(line(20.), [](double x) { return x < 2.6; }).curves[0].is_alive);
+    assert(trimmed(line(20.), [](double x) { return x < 3.6; }).curves[0].is_alive);
+  }
+  // both ends
+  Curve_network network = network_of({straight(Vector(-20., 0., 0.), Vector(20., 0., 0.))});
+  Curve_end_joiner(network, options).trim_free_ends([](const Vector& p) { return p.x() > -10.2 && p.x() < 5.2; }, 25.);
+  check_ends(network);
+  assert(std::abs(polyline_length(network.curves[0].points) - 15.) < 1e-9);
+}
+
+void test_drop_spurs()
+{
+  const double free_length = 4.5, dangling_length = 2.4;
+  const Vector middle(0., 0., 0.), left(-20., 0., 0.), right(20., 0., 0.);
+  const auto dropped = [&](const std::vector<Polyline>& lines) {
+    Curve_network network = network_of(lines);
+    Curve_end_joiner(network, options).drop_spurs(free_length, dangling_length);
+    check_ends(network);
+    return sorted_lengths(network);
+  };
+  // with two free ends
+  assert(dropped({straight(middle, Vector(4.4, 0., 0.), 0.2)}).empty());
+  assert(dropped({straight(middle, Vector(4.6, 0., 0.), 0.2)}).size() == 1);
+  // with one: what it hung on is one curve again
+  assert(are_near(dropped({straight(left, middle), straight(middle, right), straight(middle, Vector(0., 2.3, 0.))}),
+                  {40.}, 1e-6));
+  assert(dropped({straight(left, middle), straight(middle, right), straight(middle, Vector(0., 2.5, 0.))}).size() == 3);
+  // with none
+  const Vector top(0., 2., 0.);
+  assert(dropped({straight(left, middle), straight(middle, right), straight(middle, top),
+                  straight(top, Vector(0., 2., 20.)), straight(top, Vector(0., 2., -20.))})
+           .size()
+         == 5);
+  // what hung on a piece that went
+  assert(are_near(dropped({straight(left, middle), straight(middle, right), straight(middle, top),
+                           straight(top, Vector(2., 2., 0.)), straight(top, Vector(0., 2., 2.))}),
+                  {40.}, 1e-6));
+  // a closed curve has no ends
+  Traced_curve closed;
+  closed.is_closed = true;
+  closed.points = straight(middle, Vector(1., 0., 0.)) + straight(Vector(1., 0., 0.), Vector(0., 1., 0.))
+    + straight(Vector(0., 1., 0.), middle);
+  Curve_network network(std::vector<Traced_curve>{closed});
+  Curve_end_joiner(network, options).drop_spurs(free_length, dangling_length);
+  assert(network.curves[0].is_alive);
+}
+
+// Curves that are added ------------------------------------------------------------------------------
+
+// two forks, `distance` apart along x
+std::vector<Polyline> two_forks(double distance)
+{
+  std::vector<Polyline> lines;
+  for (double x : {0., distance})
+    for (double z : {-20., 20.})
+      lines.push_back(straight(Vector(x, 0., 0.), Vector(x, 20., z)));
+  return lines;
+}
+
+void test_add_edges_between_nodes()
+{
+  for (double distance : {0.9, 1.1, 6., 9.9, 10.1})
+    for (double gain : {1., 0., -1.})
+    {
+      Curve_network network = network_of(two_forks(distance));
+      std::size_t accepted = 0;
+      Curve_end_joiner(network, options)
+        .add_edges_between_nodes(
+          10., [&](const Polyline& line) { return line.front().y() == 0. && line.back().y() == 0. ? gain : -1.; },
+          [&](const Polyline& line) {
+            ++accepted;
+            assert(std::abs(polyline_length(line) - distance) < 1e-9);
+          });
+      const bool is_added = gain > 0. && distance > 1. && distance < 10.;
+      assert(accepted == is_added && network.curves.size() == 4u + is_added);
+      check_ends(network);
+      if (!is_added)
+        continue;
+      const Network_curve& edge = network.curves.back();
+      assert(edge.points.size() >= 5 && edge.is_alive);
+      assert((edge.tips[0].tangent + edge.tips[1].tangent).norm() < 1e-9);
+      assert((edge.tips[1].point - edge.points.back()).norm() < 1e-9);
+      assert(edge.tips[1].tangent.dot(edge.points.back() - edge.points.front()) > 0.);
+    }
+}
+
+// the best one first, and none whose evidence another one has taken
+void test_added_edges_share_no_evidence()
+{
+  const std::vector<Vector> places{Vector(0., 0., 0.), Vector(6., 0., 0.), Vector(3., 3., 0.)};
+  std::vector<Polyline> lines;
+  for (const Vector& place : places)
+    for (double z : {-20., 20.})
+      lines.push_back(straight(place, place + Vector(0., z == 20. ? 1. : 2., z)));
+  for (std::size_t best = 0; best < 3; ++best)
+  {
+    Curve_network network = network_of(lines);
+    std::vector<Polyline> accepted;
+    Curve_end_joiner(network, options)
+      .add_edges_between_nodes(
+        7.,
+        [&](const Polyline& line) {
+          if (!accepted.empty() || std::abs(line.front().z()) + std::abs(line.back().z()) > 0.)
+            return -1.;
+          return line.front() != places[best] && line.back() != places[best] ? 2. : 1.;
+        },
+        [&](const Polyline& line) { accepted.push_back(line); });
+    assert(accepted.size() == 1 && network.curves.size() == lines.size() + 1);
+    assert(accepted[0].front() != places[best] && accepted[0].back() != places[best]);
+  }
+}
+
+// Between free ends an arc is tried as well, one that leads on from both.
+void test_arc_between_free_ends()
+{
+  const double radius = 10.;
+  const auto at = [&](double angle) -> Vector { return radius * Vector(std::cos(angle), std::sin(angle), 0.); };
+  for (bool is_free : {true, false})
+  {
+    Polyline before, after;
+    for (int k = 0; k <= 20; ++k)
+    {
+      before.push_back(at(-1.4 + 0.05 * k));
+      after.push_back(at(0.4 + 0.05 * k));
+    }
+    std::vector<Polyline> lines{before, after};
+    if (!is_free)
+      lines.push_back(straight(before.back(), before.back() + Vector(0., 0., 20.)));
+    Curve_network network = network_of(lines);
+    Curve_end_joiner(network, options)
+      .add_edges_between_nodes(
+        10.,
+        [&](const Polyline& line) {
+          double off = 0.;
+          for (const Vector& p : line)
+            off = std::max(off, std::abs(p.norm() - radius));
+          return off < 0.2 ? 1. : -1.;
+        },
+        [](const Polyline&) {});
+    assert(network.curves.size() == lines.size() + is_free);
+    check_ends(network);
+  }
+}
+
+// Free ends that lead on -----------------------------------------------------------------------------
+
+// which of the targets, in each of which two curves meet, a line along x that ends at the origin is extended to
+std::size_t target_of_extension(const std::vector<Vector>& targets)
+{
+  std::vector<Polyline> lines{straight(Vector(-30., 0., 0.), Vector(0., 0., 0.))};
+  for (const Vector& target : targets)
+    for (double z : {-20., 20.})
+      lines.push_back(straight(target, target + Vector(0., 1., z)));
+  Curve_network network = network_of(lines);
+  Curve_end_joiner(network, options).extend_free_ends();
+  check_ends(network);
+  for (std::size_t k = 0; k < targets.size(); ++k)
+    if (network.nodes[network.curves[0].nodes[1]] == targets[k])
+      return k;
+  return targets.size();
+}
+
+void test_extension_of_free_ends()
+{
+  // a little ahead, behind, aside, or too far
+  for (double ahead : {0.5, 4., 7.9, -0.8})
+    assert(target_of_extension({Vector(ahead, 0.2, 0.)}) == 0);
+  assert(target_of_extension({Vector(4., 1.5, 0.)}) == 1);
+  assert(target_of_extension({Vector(8.1, 0., 0.)}) == 1);
+  // the nearest one, which may lie ahead while another one lies behind
+  assert(target_of_extension({Vector(5., 0., 0.), Vector(3., 0., 0.)}) == 1);
+  assert(target_of_extension({Vector(-0.9, 0.2, 0.), Vector(0.3, 0., 0.)}) == 1);
+  assert(target_of_extension({Vector(0.3, 0., 0.), Vector(-0.9, 0.2, 0.)}) == 0);
+  assert(target_of_extension({Vector(-0.2, 0.2, 0.), Vector(6., 0., 0.)}) == 0);
+  // not to the own other end
+  Curve_network network =
+    network_of({straight(Vector(5., 0., 0.), Vector(5., 30., 0.)) + straight(Vector(5., 30., 0.), Vector(-30., 0., 0.))
+                  + straight(Vector(-30., 0., 0.), Vector(0., 0., 0.)),
+                straight(Vector(5., 0., 0.), Vector(5., 0., 30.))});
+  Curve_end_joiner(network, options).extend_free_ends();
+  assert(network.curves[0].nodes[0] != network.curves[0].nodes[1]);
+}
+
+// ends that face each other over a gap, also when the last part of one has gone astray
+void test_gaps()
+{
+  for (bool is_astray : {false, true})
+    for (bool is_turned : {false, true})
+    {
+      const auto bridged = [&](double gap, double offset) {
+        Polyline line = straight(Vector(-30., 0., 0.), Vector(0., 0., 0.));
+        if (is_astray)
+          line = line + straight(Vector(0., 0., 0.), Vector(1., 2., 0.));
+        if (is_turned)
+          std::reverse(line.begin(), line.end());
+        Curve_network network = network_of({line, straight(Vector(gap, offset, 0.), Vector(gap + 30., offset, 0.))});
+        Curve_end_joiner joiner(network, options);
+        joiner.bridge_gaps();
+        joiner.drop_spurs(0., 0.); // joins what is smooth
+        check_ends(network);
+        const std::size_t ends = number_of_ends_at(network, Vector(gap / 2., offset / 2., 0.), gap / 2. + 5.);
+        assert(ends == 2 || ends == 0 || living(network).size() == 2);
+        return ends == 2 && network.curves[0].nodes[is_turned ? 0 : 1] == network.curves[1].nodes[0];
+      };
+      assert(bridged(8., 0.) && bridged(12., 0.));
+      assert(!bridged(19., 0.) && !bridged(8., 5.));
+    }
+}
+
+} // namespace
+
+int main()
+{
+  test_split_of_a_curve_whose_end_splits_another_one();
+  test_several_ends_on_one_segment();
+  test_two_splits_at_one_place();
+  test_ends_that_agree_become_one_corner();
+  test_many_corners();
+  test_ends_of_a_short_curve_do_not_meet();
+  test_round_off_asks_at_every_joint();
+  test_round_off_in_doubt();
+  test_trim_free_ends();
+  test_drop_spurs();
+  test_add_edges_between_nodes();
+  test_added_edges_share_no_evidence();
+  test_arc_between_free_ends();
+  test_extension_of_free_ends();
+  test_gaps();
+}
