@@ -37,6 +37,11 @@ class Subdivided_network
                                 boost::property<boost::edge_weight_t, double>>
     Distance_graph;
 
+  static constexpr std::size_t least_points = 3; // of a cluster: a closed curve needs as many
+  // Half of what is cut out of a cluster to see whether its ends stay connected, in connection radii: more than 1 from
+  // side to side, or points on the two sides of the cut are neighbors still.
+  static constexpr double cut_by_connection = 1.5;
+
   const Field_band& m_band;
   const Extraction_options& m_options;
 
@@ -50,7 +55,7 @@ public:
     for (const Corner_group& corner : corners)
       network.nodes.push_back(corner.center);
     for (const std::vector<std::size_t>& cluster : clusters)
-      if (cluster.size() >= 3)
+      if (cluster.size() >= least_points)
         add(cluster, corners, network);
     return network;
   }
@@ -172,7 +177,7 @@ private:
   bool is_cycle(const std::vector<std::size_t>& cluster, const Distance_graph& graph, std::size_t a, std::size_t b,
                 const std::vector<double>& from_a, const std::vector<double>& from_b) const
   {
-    const double cut = 1.5 * m_options.connection_radius;
+    const double cut = cut_by_connection * m_options.connection_radius;
     if (from_a[b] < 2. * cut)
       return false;
     const Vector middle = middle_of_path(cluster, a, b, from_a, from_b);

@@ -28,12 +28,16 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
+// How far a point may lie off the local curve of another one, in r: twice the 0.15 by which curves without noise differ
+// from a parabola, and 1.5 times the noise; and 0.1 (6 degrees), the error of a tangent, times the distance.
+constexpr double offset_of_neighbors = 0.3, offset_of_neighbors_per_noise = 1.5, slope_of_neighbors = 0.1;
+
 // whether two points may belong to one curve: their tangents agree, and each lies on the other one's local curve
 inline bool do_tangents_agree(const Local_curve& a, const Local_curve& b, double least_cosine, double tolerance)
 {
   if (std::abs(a.tangent.dot(b.tangent)) < least_cosine)
     return false;
-  const double limit = tolerance + 0.1 * (a.point - b.point).norm();
+  const double limit = tolerance + slope_of_neighbors * (a.point - b.point).norm();
   return a.distance(b.point) < limit && b.distance(a.point) < limit;
 }
 
@@ -51,7 +55,8 @@ CGAL_WIREFRAME_EXTRACTION_INLINE std::vector<std::vector<std::size_t>> clusters(
       positions[i] = skeleton.contraction->curves[i].point;
   const Ball_search search(positions);
   const double least_cosine = std::cos(options.connection_angle * CGAL_PI / 180.);
-  const double tolerance = options.use_tangents ? 0.3 + 1.5 * skeleton.contraction->noise : 0.;
+  const double tolerance =
+    options.use_tangents ? offset_of_neighbors + offset_of_neighbors_per_noise * skeleton.contraction->noise : 0.;
   const auto may_connect = [&](std::size_t i, std::size_t j) {
     return !options.use_tangents
       || do_tangents_agree(skeleton.contraction->curves[i], skeleton.contraction->curves[j], least_cosine, tolerance);

@@ -31,6 +31,13 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
+// Thresholds of corners by residual, in r. Fits on single curves leave the noise, of which 1.5 times is exceeded by an
+// eighth of normal ones, and 0.15 by bends where there is no noise (0.01 r on curves of exact fields, 0.8 r at corners);
+// single bad fits occur anywhere, so irregular points count where there are three of them within the skeleton's width.
+constexpr double residual_of_corner = 0.15, residual_of_corner_per_noise = 1.5;
+constexpr double reach_of_irregular_points = 1.5;
+constexpr std::size_t least_irregular_points = 3;
+
 // Groups of skeleton points, each closer than `reach` to another one of its group.
 inline std::vector<std::vector<std::size_t>> connected_groups(const Field_band& band,
                                                               const std::vector<char>& is_marked, double reach)
@@ -86,10 +93,11 @@ inline std::vector<std::vector<std::size_t>> corners_by_variance(const Field_ban
   std::vector<char> is_taken(band.skeleton_size, 0);
   for (std::vector<std::size_t>& group : groups)
   {
+    static constexpr double rounding = 1e-6; // so that no corner of the box is lost; contains() decides
     Eigen::AlignedBox3d box;
     for (std::size_t i : group)
       box.extend(band.points[i]);
-    band.search.query(box.center(), 0.5 * box.diagonal().norm() + 1e-6, ball);
+    band.search.query(box.center(), 0.5 * box.diagonal().norm() + rounding, ball);
     std::vector<std::size_t> members;
     for (std::size_t i : ball)
       if (i < band.skeleton_size && !is_taken[i] && box.contains(band.points[i]))
@@ -107,13 +115,16 @@ inline std::vector<std::vector<std::size_t>> corners_by_variance(const Field_ban
 inline std::vector<std::vector<std::size_t>> corners_by_residual(const Field_band& band, const Contraction& contraction,
                                                                  const Extraction_options& options)
 {
-  const double threshold = options.corner_residual >= 0. ? options.corner_residual : 0.15 + 1.5 * contraction.noise;
+  const double threshold = options.corner_residual >= 0.
+    ? options.corner_residual
+    : residual_of_corner + residual_of_corner_per_noise * contraction.noise;
   std::vector<char> is_irregular(band.skeleton_size, 0);
   for (std::size_t i = 0; i < band.skeleton_size; ++i)
     is_irregular[i] = contraction.residuals[i] > threshold;
-  std::vector<std::vector<std::size_t>> groups = connected_groups(band, is_irregular, 1.5);
-  // single bad fits occur anywhere
-  groups.erase(std::remove_if(groups.begin(), groups.end(), [](const auto& g) { return g.size() < 3; }), groups.end());
+  std::vector<std::vector<std::size_t>> groups = connected_groups(band, is_irregular, reach_of_irregular_points);
+  groups.erase(
+    std::remove_if(groups.begin(), groups.end(), [](const auto& g) { return g.size() < least_irregular_points; }),
+    groups.end());
   return groups;
 }
 
