@@ -12,8 +12,11 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_DISTANCE_CLOUD_FILTER_H
 #define CGAL_WIREFRAME_EXTRACTION_DISTANCE_CLOUD_FILTER_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Cloud_values.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/cloud_access.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/sampling_distance.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
