@@ -121,6 +121,8 @@ void test_nothing_runs_away()
           for (const bool regularize : {false, true})
           {
             const Recognized_pieces found = recognized(field, u, noise, regularize);
+            // where one curve for all runs away, the sides are lines
+            assert(noise != 0.3 || half_width != 13. || length != 25. || rounding != 1. || found.pieces.size() > 1);
             for (const Typed_piece& piece : found.pieces)
               if (piece.is_primitive)
               {
@@ -247,6 +249,17 @@ void test_wrong_courses()
   // a circle that is not gone all round is not closed
   const std::vector<Station> most = stations_on(sampled(whole, 0., 1.4 * pi));
   assert(!Primitive_course(whole).follows(Station_range(most, 0, most.size()), true));
+  // nor is one that is gone forth and back
+  Polyline forth_and_back = sampled(whole, 0., 2.);
+  forth_and_back.insert(forth_and_back.end(), forth_and_back.rbegin() + 1, forth_and_back.rend() - 1);
+  const std::vector<Station> returning = stations_on(forth_and_back);
+  assert(!Primitive_course(whole).follows(Station_range(returning, 0, returning.size()), true));
+  // a vertex far from the end of the spline
+  const std::vector<Station> at_half = stations_on(half);
+  for (const double turn : {0.1, 0.3})
+    assert(Primitive_course(whole).follows(Station_range(at_half, 0, at_half.size()),
+                                           {whole.at(0.5 * pi - turn), half.front()}, {half.back(), half.back()})
+           == (turn < 0.2));
   // what is not finite follows nothing
   Primitive_curve none = whole;
   none.major_radius = std::numeric_limits<double>::quiet_NaN();
