@@ -121,6 +121,8 @@ void test_nothing_runs_away()
           for (const bool regularize : {false, true})
           {
             const Recognized_pieces found = recognized(field, u, noise, regularize);
+            // where one curve for all runs away, the sides are lines
+            assert(noise != 0.3 || half_width != 13. || length != 25. || rounding != 1. || found.pieces.size() > 1);
             for (const Typed_piece& piece : found.pieces)
               if (piece.is_primitive)
               {
@@ -247,6 +249,17 @@ void test_wrong_courses()
   // a circle that is not gone all round is not closed
   const std::vector<Station> most = stations_on(sampled(whole, 0., 1.4 * pi));
   assert(!Primitive_course(whole).follows(Station_range(most, 0, most.size()), true));
+  // nor is one that is gone forth and back
+  Polyline forth_and_back = sampled(whole, 0., 2.);
+  forth_and_back.insert(forth_and_back.end(), forth_and_back.rbegin() + 1, forth_and_back.rend() - 1);
+  const std::vector<Station> returning = stations_on(forth_and_back);
+  assert(!Primitive_course(whole).follows(Station_range(returning, 0, returning.size()), true));
+  // a vertex far from the end of the spline
+  const std::vector<Station> at_half = stations_on(half);
+  for (const double turn : {0.1, 0.3})
+    assert(Primitive_course(whole).follows(Station_range(at_half, 0, at_half.size()),
+                                           {whole.at(0.5 * pi - turn), half.front()}, {half.back(), half.back()})
+           == (turn < 0.2));
   // what is not finite follows nothing
   Primitive_curve none = whole;
   none.major_radius = std::numeric_limits<double>::quiet_NaN();
@@ -317,6 +330,121 @@ void test_cancelling()
   }
 }
 
+// Two lines of length 20 and two half circles of radius 6, from somewhere on.
+Polyline slot(double start)
+{
+  Polyline result;
+  const double half = 6. * pi, period = 40. + 2. * half;
+  const int count = 800;
+  for (int k = 0; k < count; ++k)
+  {
+    double s = std::fmod(start + period * k / count, period);
+    const double sign = s < 20. + half ? 1. : -1.;
+    s = sign > 0. ? s : s - 20. - half;
+    result.push_back(sign
+                     * (s < 20. ? Vector(s - 10., -6., 0.)
+                                : Vector(10. + 6. * std::sin((s - 20.) / 6.), -6. * std::cos((s - 20.) / 6.), 0.)));
+  }
+  result.push_back(result.front());
+  return result;
+}
+
+// A closed curve is cut where its pieces meet, wherever it starts: neighbors share vertices and tangents there. A vertex
+// that only chance put on it is left out.
+void test_closed_curve()
+{
+  for (const double start : {3., 10., 25., 47.})
+    for (const bool has_vertex : {false, true})
+    {
+      const Polyline outline = slot(start);
+      const Skeleton_data field = field_around(outline);
+      Extraction_options options;
+      options.noise_level = 0.02;
+      std::vector<Untyped_curve> curves(1, untyped(outline));
+      if (has_vertex)
+        curves[0].vertices = {{0, 0}};
+      else
+        curves[0].vertices = {{Untyped_curve::no_vertex, Untyped_curve::no_vertex}};
+      const Recognized_pieces found = recognize_pieces(field, options, {outline.front()}, curves, {});
+      assert(found.pieces.size() == 4 && found.regularities.empty());
+      for (std::size_t i = 0; i < 4; ++i)
+      {
+        const Typed_piece &piece = found.pieces[i], &next = found.pieces[(i + 1) % 4];
+        assert(piece.is_primitive && !piece.is_whole && piece.curve == 0 && piece.support > 20);
+        assert(piece.shape.kind != next.shape.kind && piece.vertices[1] == next.vertices[0]);
+        assert(piece.vertices[0] != 0);
+        const Vector& place = found.vertices[piece.vertices[1]];
+        assert((piece.shape.foot(place) - place).norm() < 1e-6);
+        assert(piece.shape.tangent(place).cross(next.shape.tangent(place)).norm() < 1e-5);
+        if (piece.shape.kind == Primitive_kind::CIRCLE)
+        {
+          assert(std::abs(piece.shape.major_radius - 6.) < 0.1);
+          assert(piece.major_radius_deviation > 0. && piece.major_radius_deviation < 0.1);
+        }
+        assert(piece.root_mean_square < 0.1 && piece.maximum_deviation >= piece.root_mean_square);
+      }
+    }
+}
+
+// Two circles of nearly the same radius, on one plane.
+void test_regularizing()
+{
+  std::vector<Polyline> outlines;
+  Polyline both;
+  for (const double radius : {8., 8.012})
+  {
+    Primitive_curve circle;
+    circle.kind = Primitive_kind::CIRCLE;
+    circle.center = Vector(both.empty() ? 0. : 40., 0., 0.);
+    circle.major_radius = circle.minor_radius = radius;
+    outlines.push_back(sampled(circle, 0., 2. * pi));
+    outlines.back().back() = outlines.back().front();
+    both.insert(both.end(), outlines.back().begin(), outlines.back().end());
+  }
+  const Skeleton_data field = field_around(both);
+  for (const bool regularize : {false, true})
+  {
+    Extraction_options options;
+    options.noise_level = 0.05;
+    options.regularize = regularize;
+    std::vector<Untyped_curve> curves;
+    for (const Polyline& outline : outlines)
+    {
+      curves.push_back(untyped(outline));
+      curves.back().vertices = {{Untyped_curve::no_vertex, Untyped_curve::no_vertex}};
+    }
+    const Recognized_pieces found = recognize_pieces(field, options, {}, curves, {});
+    assert(found.pieces.size() == 2);
+    for (const Typed_piece& piece : found.pieces)
+      assert(piece.is_primitive && piece.is_whole && piece.shape.kind == Primitive_kind::CIRCLE);
+    const double difference = std::abs(found.pieces[0].shape.major_radius - found.pieces[1].shape.major_radius);
+    assert(regularize ? difference < 1e-7 : difference > 1e-4);
+    assert(regularize == !found.regularities.empty());
+    if (regularize)
+      assert(std::count(found.regularities.begin(), found.regularities.end(), "equal radii: curves 0, 1")
+               + std::count(found.regularities.begin(), found.regularities.end(), "equal radii: curves 1, 0")
+             == 1);
+  }
+}
+
+// A line and an arc that goes on from it are tangent; a corner that the network has stays one.
+void test_line_and_arc()
+{
+  Polyline hook;
+  for (double s = 0.; s < 40.; s += 0.1)
+    hook.push_back(s < 20. ? Vector(s, 0., 0.)
+                           : Vector(20. + 10. * std::sin(0.1 * (s - 20.)), 10. - 10. * std::cos(0.1 * (s - 20.)), 0.));
+  const Skeleton_data field = field_around(hook);
+  const Recognized_pieces found = recognized(field, hook, 0.02, false);
+  assert(found.pieces.size() == 2 && found.vertices.size() == 3);
+  const Typed_piece &line = found.pieces[0], &arc = found.pieces[1];
+  assert(line.is_primitive && line.shape.kind == Primitive_kind::LINE && line.vertices[0] == 0);
+  assert(arc.is_primitive && arc.shape.kind == Primitive_kind::CIRCLE && arc.vertices[1] == 1);
+  assert(line.vertices[1] == 2 && arc.vertices[0] == 2 && (found.vertices[2] - Vector(20., 0., 0.)).norm() < 2.);
+  assert(line.shape.axis.cross(arc.shape.tangent(found.vertices[2])).norm() < 1e-5);
+  assert(std::abs(arc.shape.major_radius - 10.) < 0.2);
+}
+
 } // namespace
 
 int main()
@@ -325,6 +453,9 @@ int main()
   test_wrong_courses();
   test_gaps();
   test_nothing_runs_away();
+  test_closed_curve();
+  test_regularizing();
+  test_line_and_arc();
   test_cancelling();
   return 0;
 }

@@ -49,6 +49,14 @@ class Curve_cutter
   static constexpr double most_turn = 15. * CGAL_PI / 180., most_gap = 0.5; // from one piece to the next
   static constexpr double most_miss = 1.;               // how far from its vertex a curve may pass before vertices move
   static constexpr double least_spline_parameters = 3.; // of one that goes on smoothly at both ends
+  // Of the way along a curve: steps back are errors of neighboring stations, and cancel; that of a curve that the stations
+  // follow forth and back is one.
+  static constexpr double most_backward = 0.1;
+  // Of the stations of a piece, at least so many are places that points show: a piece is no guess over a gap.
+  static constexpr double least_share_supported = 0.5;
+  // What fails on one window of stations may be an outlier at its end; on a second, larger one, hardly ever.
+  static constexpr int most_failures = 2;
+  static constexpr std::size_t least_step = 2; // in stations, between places for cuts where nothing fits
 
   const std::vector<Station>& m_stations;
   const std::array<Vector, 2> m_ends;
@@ -98,7 +106,8 @@ private:
 
   Station_range range(std::size_t first, std::size_t size) const { return Station_range(m_stations, first, size); }
 
-  // at least so many stations beyond those that any such curve passes through
+  // At least so many stations: through 2, 3 and 5 places in general position pass a line, a circle and an ellipse that
+  // nothing shows to be there.
   static std::size_t least_size(Primitive_kind kind)
   {
     return kind == Primitive_kind::LINE ? 3 : kind == Primitive_kind::CIRCLE ? 4 : 7;
@@ -109,8 +118,8 @@ private:
     std::size_t supported = 0;
     const Station_range stations = range(first, size);
     for (std::size_t i = 0; i < size; ++i)
-      supported += stations[i].support >= 2;
-    return supported >= least_size(kind) && 2 * supported >= size;
+      supported += stations[i].is_supported();
+    return supported >= least_size(kind) && double(supported) >= least_share_supported * double(size);
   }
 
   // a piece without fit if the kind is not what the stations show
@@ -165,7 +174,7 @@ private:
         step = std::remainder(step, 2. * CGAL_PI);
       (step > 0. ? forward : backward) += std::abs(step);
     }
-    return (std::min)(forward, backward) < 0.1 * (std::max)(forward, backward)
+    return (std::min)(forward, backward) < most_backward * (std::max)(forward, backward)
       && (curve.kind == Primitive_kind::LINE || std::abs(forward - backward) < 2. * CGAL_PI);
   }
 
@@ -238,7 +247,7 @@ private:
     {
       int& failed = failures[kind == Primitive_kind::LINE ? 0 : 1];
       // what fails on two windows in a row fails on all that contain them
-      if (failed >= 2 || size < least_size(kind))
+      if (failed >= most_failures || size < least_size(kind))
         continue;
       path.piece = try_piece(kind, path.piece.first, size);
       failed = path.piece.fit ? 0 : failed + 1;
@@ -289,12 +298,12 @@ private:
     std::vector<std::size_t> ends;
     for (std::size_t i = 0; i < n && goes_on();)
     {
-      i += (std::max)(std::size_t(2), largest_window(start, i, n, true));
+      i += (std::max)(+least_step, largest_window(start, i, n, true));
       ends.push_back(i);
     }
     for (std::size_t i = n; i > 0 && goes_on();)
     {
-      i -= (std::min)(i, (std::max)(std::size_t(2), largest_window(start, i, n, false)));
+      i -= (std::min)(i, (std::max)(+least_step, largest_window(start, i, n, false)));
       ends.push_back(i);
     }
     std::vector<std::size_t> places{0, n};

@@ -37,6 +37,9 @@ struct Station
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero(); // inverse covariance of the position; 0 along the tangent
   std::size_t support = 0;                               // number of points
 
+  static constexpr std::size_t least_support = 2; // points, with which it is a place that the field shows
+  bool is_supported() const { return support >= least_support; }
+
   // the standard deviation of its position across the curve
   double deviation() const { return std::sqrt(2. / information.trace()); }
 };
@@ -56,12 +59,25 @@ struct Curve_support
 class Curve_stations
 {
   // Even an exact field is known at points only, and curves are sampled.
-  static constexpr double least_deviation = 0.008;
+  static constexpr double least_deviation = 0.008; // r
+  // Points that support a curve may lie farther from the spline than from the place where the field has it.
+  static constexpr double most_shift = 1.; // r, from the spline to that place
+  // Of the scale beyond which residuals lose weight: errors of fields have longer tails than the normal distribution.
+  static constexpr double least_scale = 0.05, scale_per_noise = 1.5;
+  // Points of which the field knows less count less; that of two small deviations one is twice the other means nothing.
+  static constexpr double comparable_deviation = 0.03; // r, where fields count as precise
+  // Distances far from a curve tell less of it: the curve is bent, and the error of the direction grows.
+  static constexpr double weight_per_square = 0.5; // halves the weight at 1.4 r
+  // Of the mean information, what is there in directions in which the points say nothing: holds stations where they are.
+  static constexpr double relative_damping = 0.02, least_damping = 1e-6;
+  static constexpr int number_of_rounds = 4;        // of Gauss and Newton
+  static constexpr double negligible_length = 1e-9; // r: such an offset has no direction
 
   const Field_band& m_band;
   double m_noise, m_support_distance;
 
 public:
+  // r: enough points for a place, and the smallest circle that a cloud shows, of radius r, has four stations
   static constexpr double spacing = 1.5;
 
   Curve_stations(const Field_band& band, double noise, double support_distance)
@@ -74,7 +90,8 @@ public:
     std::vector<std::vector<double>> lengths;
     for (const std::vector<Vector>& polyline : polylines)
       lengths.push_back(arc_lengths(polyline));
-    const std::vector<Polyline_foot> feet = nearest_feet(m_band, pointers_to(polylines), m_support_distance + 1.);
+    const std::vector<Polyline_foot> feet =
+      nearest_feet(m_band, pointers_to(polylines), m_support_distance + most_shift);
     std::vector<std::vector<Curve_support>> support(polylines.size());
     for (std::size_t i = 0; i < m_band.size(); ++i)
     {
@@ -122,8 +139,8 @@ private:
     const Vector across = station.tangent.unitOrthogonal(), up = station.tangent.cross(across);
     Eigen::Vector2d shift = Eigen::Vector2d::Zero();
     Eigen::Matrix2d normal_matrix = Eigen::Matrix2d::Zero();
-    const double scale = 0.05 + 1.5 * m_noise;
-    for (int round = 0; round < 4; ++round)
+    const double scale = least_scale + scale_per_noise * m_noise;
+    for (int round = 0; round < number_of_rounds; ++round)
     {
       normal_matrix.setZero();
       Eigen::Vector2d right_side = Eigen::Vector2d::Zero();
@@ -133,22 +150,23 @@ private:
       {
         const Vector offset = m_band.points[member->point] - member->foot - moved;
         const double length = offset.norm(), d = m_band.distances[member->point], e = d - length;
-        if (length < 1e-9 || std::abs(e) > residual_cutoff(m_noise))
+        if (length < negligible_length || std::abs(e) > residual_cutoff(m_noise))
           continue;
-        const double worth = (0.03 + m_noise) / (0.03 + m_band.deviation(member->point, m_noise));
-        const double weight = worth * worth / (1. + 0.5 * d * d) / (1. + e * e / (scale * scale));
+        const double worth =
+          (comparable_deviation + m_noise) / (comparable_deviation + m_band.deviation(member->point, m_noise));
+        const double weight = worth * worth / (1. + weight_per_square * d * d) / (1. + e * e / (scale * scale));
         const Eigen::Vector2d gradient(offset.dot(across) / length, offset.dot(up) / length);
         normal_matrix += weight * gradient * gradient.transpose();
         right_side -= weight * e * gradient;
         ++station.support;
       }
       // Where the points lie in one plane through the curve, they say nothing of the direction across it.
-      const double damping = 0.02 * normal_matrix.trace() + 1e-6;
+      const double damping = relative_damping * normal_matrix.trace() + least_damping;
       const double a = normal_matrix(0, 0) + damping, b = normal_matrix(0, 1), c = normal_matrix(1, 1) + damping;
       shift +=
         Eigen::Vector2d(c * right_side[0] - b * right_side[1], a * right_side[1] - b * right_side[0]) / (a * c - b * b);
-      if (shift.norm() > 1.)
-        shift /= shift.norm();
+      if (shift.norm() > most_shift)
+        shift = most_shift * (shift / shift.norm());
     }
     station.followed = station.position;
     station.position += shift[0] * across + shift[1] * up;

@@ -44,6 +44,14 @@ class Curve_type_recognizer
   // the tangent of a spline may change by that much from the cut to its first station
   static constexpr double most_spline_turn = 85. * CGAL_PI / 180.;
 
+  // Near a vertex, the points of the other curves that meet there mix in: up to such a distance, since that is how far
+  // points support a curve, with an error that falls from the vertex on.
+  static constexpr double vertex_reach = 3., most_vertex_deviation = 0.1; // r
+  // How firmly the field kept the end of a spline.
+  static constexpr double least_spline_deviation = 0.05, spline_deviation_per_noise = 2.;
+  // further than from one station to the next but one, no vertex goes by itself
+  static constexpr double farthest_move = 2. * Curve_stations::spacing;
+  static constexpr double least_extent = 1e-3; // r, of a line or a radius: below, it is a point
   // Shares of the time, for who waits: finding the points of the curves, and cutting these. How many rounds the common fit
   // takes is not known; each is taken for a half of what is left.
   static constexpr double share_of_support = 0.1, share_of_cuts = 0.6, share_of_round = 0.5;
@@ -157,14 +165,12 @@ private:
     result.is_tangent[0] = curve.is_closed_without_vertex() && result.pieces.size() > 1;
   }
 
-  // Near a vertex, the points of the other curves that meet there mix in.
   static void loosen_ends(std::vector<Station>& stations, double length)
   {
-    constexpr double reach = 3., most_deviation = 0.1;
     for (Station& station : stations)
     {
       const double distance = (std::min)(station.parameter, length - station.parameter);
-      const double deviation = most_deviation * (std::max)(0., 1. - distance / reach);
+      const double deviation = most_vertex_deviation * (std::max)(0., 1. - distance / vertex_reach);
       // where there is most information, its inverse grows by the variance
       station.information /= 1. + 0.5 * station.information.trace() * deviation * deviation;
     }
@@ -361,7 +367,7 @@ private:
       if (candidate.pieces[i].fit || candidate.vertices[i] == Untyped_curve::no_vertex)
         continue;
       const Station_range stations = range(candidate, candidate.pieces[i]);
-      const double deviation = (std::max)(0.05, 2. * m_noise);
+      const double deviation = (std::max)(+least_spline_deviation, spline_deviation_per_noise * m_noise);
       for (int e = 0; e < 2; ++e)
       {
         const std::size_t vertex = candidate.vertices[i + std::size_t(e)];
@@ -466,14 +472,13 @@ private:
   bool is_supported(const Primitive_curve& curve, const Primitive_network_fit& network, const Primitive_edge& edge,
                     const Candidate& candidate, std::size_t i) const
   {
-    // further than from one station to the next but one, no vertex goes by itself
-    constexpr double farthest = 2. * Curve_stations::spacing;
     for (const std::size_t v : edge.vertices)
-      if (edge.has_vertex() && !((network.vertices[v] - m_anchors[v]).norm() < farthest))
+      if (edge.has_vertex() && !((network.vertices[v] - m_anchors[v]).norm() < farthest_move))
         return false;
-    if (!edge.is_loop() && !((network.vertices[edge.vertices[0]] - network.vertices[edge.vertices[1]]).norm() > 1e-3))
+    if (!edge.is_loop()
+        && !((network.vertices[edge.vertices[0]] - network.vertices[edge.vertices[1]]).norm() > least_extent))
       return false;
-    return curve.is_finite() && (curve.kind == Primitive_kind::LINE || curve.minor_radius > 1e-3)
+    return curve.is_finite() && (curve.kind == Primitive_kind::LINE || curve.minor_radius > least_extent)
       && Primitive_fit::misfit_of(curve, range(candidate, candidate.pieces[i]))
            .probability(curve.number_of_parameters())
       >= m_significance

@@ -39,7 +39,6 @@ class Primitive_course
   static constexpr double offset_per_gap = 0.5;
   // Around vertices, which may have moved, and where splines cut corners.
   static constexpr double most_offset_at_vertex = 2. * Curve_stations::spacing;
-  static constexpr std::size_t least_support = 2;  // points, with which a station is a place of the curve
   static constexpr double most_deviation = 1.;     // r, of a station: no noise level is larger
   static constexpr double sampling_step = 0.5;     // r
   static constexpr std::size_t most_samples = 256; // from one station to the next
@@ -125,11 +124,11 @@ private:
     std::vector<std::size_t> gaps(n, n);
     std::size_t gap = n;
     for (std::size_t i = 0; i < n; ++i)
-      gaps[i] = gap = stations[i].support >= least_support ? 0 : gap + 1;
+      gaps[i] = gap = stations[i].is_supported() ? 0 : gap + 1;
     gap = n;
     for (std::size_t i = n; i-- > 0;)
     {
-      gap = stations[i].support >= least_support ? 0 : gap + 1;
+      gap = stations[i].is_supported() ? 0 : gap + 1;
       gaps[i] = (std::min)(gaps[i], gap);
     }
     return gaps;

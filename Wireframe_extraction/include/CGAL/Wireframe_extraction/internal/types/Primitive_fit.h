@@ -95,6 +95,18 @@ class Primitive_fit
 
   static constexpr double least_radius = 0.5 * Curve_stations::spacing;
 
+  // The numbers below are those of a solver: what they leave of the minimum is far below the deviations of stations.
+  static constexpr std::size_t few = 48;         // stations, which the first rounds take where there are many more
+  static constexpr std::size_t many_per_few = 3; // below that, taking few of them gains nothing
+  static constexpr double hopeless_share = 1e-6; // of the least probability: then the other stations cannot help
+  static constexpr int most_rounds = 30;
+  static constexpr double first_damping = 1e-6, least_damping = 1e-9, most_damping = 1e6, damping_increase = 10.,
+                          damping_decrease = 0.1;
+  static constexpr double relative_gain = 1e-6,
+                          least_gain = 1e-9;        // in units of a squared deviation: the minimum is reached
+  static constexpr double rounding = 1e-12;         // relative to the trace of a matrix, which may be singular
+  static constexpr double negligible_extent = 1e-9; // r: then all stations are in one place
+
 public:
   typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Primitive_curve::most_parameters,
                         Primitive_curve::most_parameters>
@@ -168,7 +180,7 @@ private:
     curve.axis = principal.axes[0];
     curve.major = principal.axes[2];
     const double scale = std::sqrt(principal.values[2] / double(stations.size()));
-    if (!(scale > 1e-9))
+    if (!(scale > negligible_extent))
       return false;
     std::vector<Eigen::Vector2d> plane;
     for (std::size_t i = 0; i < stations.size(); ++i)
@@ -218,7 +230,7 @@ private:
     // The form q of an ellipse has 4 a c - b^2 > 0. Among those with the value 1, the best one belongs to the only
     // positive eigenvalue of this form relative to the squared algebraic residuals, which exact points make singular.
     Eigen::Matrix3d m = s1 + s2 * t, constraint;
-    m += 1e-12 * s1.trace() * Eigen::Matrix3d::Identity();
+    m += rounding * s1.trace() * Eigen::Matrix3d::Identity();
     constraint << 0., 0., 2., 0., -1., 0., 2., 0., 0.;
     const Principal_axes of_residuals = principal_axes(m);
     if (!t.allFinite() || !(of_residuals.values[0] > 0.))
@@ -260,11 +272,10 @@ private:
   // The first rounds take some of many stations, which are enough to come close.
   bool minimize(const Station_range& stations, double least_probability)
   {
-    static constexpr std::size_t few = 48;
-    if (stations.size() > 3 * few)
+    if (stations.size() > many_per_few * few)
     {
       minimize(stations, stations.size() / few);
-      if (misfit.probability(curve.number_of_parameters()) < 1e-6 * least_probability)
+      if (misfit.probability(curve.number_of_parameters()) < hopeless_share * least_probability)
         return false;
     }
     minimize(stations, std::size_t(1));
@@ -281,31 +292,31 @@ private:
   {
     const int n = curve.number_of_parameters();
     misfit = misfit_of(curve, stations, stride);
-    double damping = 1e-6;
-    for (int round = 0; round < 30; ++round)
+    double damping = first_damping;
+    for (int round = 0; round < most_rounds; ++round)
     {
       Covariance matrix;
       Parameters gradient;
       linearize(stations, stride, matrix, gradient);
       Covariance damped = matrix;
       for (int i = 0; i < n; ++i)
-        damped(i, i) += damping * damped(i, i) + 1e-12 * matrix.trace();
+        damped(i, i) += damping * damped(i, i) + rounding * matrix.trace();
       const Parameters step = -Symmetric_factorization(damped).solved(gradient);
       const Primitive_curve candidate = curve.moved(step.data());
       const Misfit next = candidate.is_finite() ? misfit_of(candidate, stations, stride) : Misfit();
       if (candidate.is_finite() && next.robust() <= misfit.robust())
       {
-        const bool is_done = misfit.robust() - next.robust() <= 1e-6 * misfit.robust() + 1e-9;
+        const bool is_done = misfit.robust() - next.robust() <= relative_gain * misfit.robust() + least_gain;
         curve = candidate;
         misfit = next;
-        damping = (std::max)(1e-9, 0.1 * damping);
+        damping = (std::max)(+least_damping, damping_decrease * damping);
         if (is_done)
           break;
       }
       else
       {
-        damping *= 10.;
-        if (damping > 1e6)
+        damping *= damping_increase;
+        if (damping > most_damping)
           break;
       }
     }

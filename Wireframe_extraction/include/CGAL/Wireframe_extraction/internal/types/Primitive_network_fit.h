@@ -79,10 +79,10 @@ public:
     const std::vector<Vector> anchors = vertices;
     const std::vector<Constraint> constraints = make_constraints();
     std::vector<Vector> multipliers(constraints.size(), Vector::Zero());
-    double weight = 1e4;
+    double weight = first_weight;
     solve(anchors, constraints, multipliers, 0.);
     for (int round = 0; round < (constraints.empty() ? 0 : most_rounds);
-         ++round, weight = (std::min)(1e8, 10. * weight))
+         ++round, weight = (std::min)(+most_weight, weight_factor * weight))
     {
       solve(anchors, constraints, multipliers, weight);
       double worst = 0.;
@@ -92,7 +92,7 @@ public:
         multipliers[i] += weight * value;
         worst = (std::max)(worst, value.norm());
       }
-      if (worst < 1e-10 || is_cancelled())
+      if (worst < least_violation || is_cancelled())
         break;
     }
     for (const Constraint& constraint : constraints)
@@ -102,8 +102,17 @@ public:
   }
 
 private:
+  // Augmented Lagrangians converge whatever the weights are; these, in units of a squared standard deviation per r^2, keep
+  // each round well conditioned.
+  static constexpr double first_weight = 1e4, most_weight = 1e8, weight_factor = 10.;
   static constexpr int most_rounds = 9;
-  static constexpr double most_violation = 1e-6;
+  static constexpr double least_violation = 1e-10, most_violation = 1e-6; // r, or radians: reached, and not reached
+  static constexpr int most_iterations = 20;                              // of the solver in a round
+  static constexpr double relative_gain = 1e-12;                          // of the sum, with which it stops
+  // Beyond so many standard deviations a station counts as an outlier, as in the fits of single curves.
+  static constexpr double outlier_deviations = 4.;
+  // What holds vertices that no curve holds: 1 r counts as a tenth of a standard deviation, far less than any station.
+  static constexpr double pull_on_vertices = 0.1;
 
   Cancellation* m_cancellation = nullptr;
   std::vector<char> m_is_violated;
@@ -256,7 +265,7 @@ private:
     problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
     problem_options.evaluation_callback = &updater;
     ceres::Problem problem(problem_options);
-    ceres::CauchyLoss robust(4.);
+    ceres::CauchyLoss robust(outlier_deviations);
     auto next_root = m_roots.begin();
     for (std::size_t k = 0; k < edges.size(); ++k)
       for (const Station& station : edges[k].stations)
@@ -264,7 +273,7 @@ private:
                                  variations[k].blocks());
     for (std::size_t v = 0; v < vertices.size(); ++v)
       if (problem.HasParameterBlock(vertices[v].data()))
-        add_pull(problem, vertices[v], Eigen::Matrix3d(0.1 * Eigen::Matrix3d::Identity()), anchors[v]);
+        add_pull(problem, vertices[v], Eigen::Matrix3d(pull_on_vertices * Eigen::Matrix3d::Identity()), anchors[v]);
     for (const Spline_end& end : spline_ends)
       if (problem.HasParameterBlock(vertices[end.vertex].data()))
         add_pull(problem, vertices[end.vertex],
@@ -283,7 +292,7 @@ private:
       }
     if (problem.NumResidualBlocks() == 0)
       return;
-    ceres::Solver::Options options = solver_options(20, 1e-12);
+    ceres::Solver::Options options = solver_options(most_iterations, relative_gain);
     std::unique_ptr<Cancelling_callback> callback;
     if (m_cancellation)
     {

@@ -117,12 +117,17 @@ private:
     return Spline(spline.degree(), spline.knots(), std::move(points), spline.is_closed(), m_skeleton.traits());
   }
 
+  // Of the splines between cuts: spans are of about the length that fits of splines start with, and there are some places
+  // to interpolate in each.
+  static constexpr double span_length = 3., places_per_length = 4.; // r, and per r
+  static constexpr std::size_t least_spans = 3, least_places = 16;
+
   // a spline along a part of the polyline, from vertex to vertex
   Cubic_spline part(const Typed_piece& piece, const std::vector<Vector>& polyline) const
   {
     const std::vector<double> lengths = arc_lengths(polyline);
     const double begin = piece.range[0], size = piece.range[1] - begin;
-    const std::size_t count = (std::max)(std::size_t(16), std::size_t(std::ceil(4. * size)));
+    const std::size_t count = (std::max)(+least_places, std::size_t(std::ceil(places_per_length * size)));
     std::vector<double> parameters;
     std::vector<Vector> positions;
     for (std::size_t i = 0; i <= count; ++i)
@@ -137,7 +142,7 @@ private:
       const double share = double(i) / double(count);
       positions[i] += (1. - share) * first + share * last;
     }
-    const std::size_t spans = (std::max)(std::size_t(3), std::size_t(std::ceil(size / 3.)));
+    const std::size_t spans = (std::max)(+least_spans, std::size_t(std::ceil(size / span_length)));
     std::vector<double> breaks;
     for (std::size_t i = 0; i <= spans; ++i)
       breaks.push_back(size * double(i) / double(spans));

@@ -60,15 +60,19 @@ inline double longest_step(const std::vector<Vector>& polyline)
 template <class GeomTraits>
 Untyped_curve untyped(const Wireframe_skeleton<GeomTraits>& skeleton, const Wireframe_curve<GeomTraits>& curve)
 {
+  // r: a chord of 0.1 r leaves an arc of radius 1 r by 0.001 r
   constexpr double step = 0.1;
+  constexpr std::size_t least_count = 16;
+  constexpr int most_refinements =
+    10; // of a spline whose parameter is far from its arc length: 1000 times as many points
   Untyped_curve result;
   result.vertices = {{curve.source, curve.target}};
   result.number_of_parameters = 3. * double(curve.spline.control_points().size());
   const double length = CGAL::to_double(curve.spline.length()) / skeleton.data().unit;
-  std::size_t count = (std::max)(std::size_t(16), std::size_t(std::ceil(length / step)));
+  std::size_t count = (std::max)(+least_count, std::size_t(std::ceil(length / step)));
   result.polyline = sample(skeleton, curve, count);
   // the parameter of a fitted spline is nearly its arc length, that of others may not be
-  for (int k = 0; k < 10 && longest_step(result.polyline) > 2. * step; ++k)
+  for (int k = 0; k < most_refinements && longest_step(result.polyline) > 2. * step; ++k)
     result.polyline = sample(skeleton, curve, count *= 2);
   if (curve.is_closed())
     result.polyline.back() = result.polyline.front();
