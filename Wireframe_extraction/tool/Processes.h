@@ -142,8 +142,8 @@ private:
     bool is_timed_out = false;
 
     Slot() {}
-    Slot(pid_t process_, Clock::time_point begin_, bool is_timed_out_)
-      : process(process_), begin(begin_), is_timed_out(is_timed_out_)
+    Slot(pid_t m_process, Clock::time_point m_begin, bool m_is_timed_out)
+      : process(m_process), begin(m_begin), is_timed_out(m_is_timed_out)
     {}
 
     double seconds() const { return std::chrono::duration<double>(Clock::now() - begin).count(); }

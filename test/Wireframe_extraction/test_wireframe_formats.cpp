@@ -48,9 +48,9 @@ Vector normalized(const Vector& v) { return v / std::sqrt(v.squared_length()); }
 class Closed_form_wireframe
 {
 public:
-  Closed_form_wireframe(unsigned seed, const Vector& offset) : random_(seed), offset_(offset)
+  Closed_form_wireframe(unsigned seed, const Vector& offset) : m_random(seed), m_offset(offset)
   {
-    wireframe_.sampling_distance = 0.5;
+    m_wireframe.sampling_distance = 0.5;
     for (const Vector& axis : axes())
       for (const Type type : {Type::CIRCLE, Type::ARC, Type::ELLIPSE, Type::ELLIPTIC_ARC})
         add_conic(type, axis);
@@ -61,12 +61,12 @@ public:
           add_spline(degree, is_rational, is_closed);
   }
 
-  const Wireframe& operator()() const { return wireframe_; }
+  const Wireframe& operator()() const { return m_wireframe; }
 
 private:
-  double number(double from, double to) { return std::uniform_real_distribution<double>(from, to)(random_); }
+  double number(double from, double to) { return std::uniform_real_distribution<double>(from, to)(m_random); }
   Vector vector() { return Vector(number(-5, 5), number(-5, 5), number(-5, 5)); }
-  Point point() { return CGAL::ORIGIN + offset_ + vector(); }
+  Point point() { return CGAL::ORIGIN + m_offset + vector(); }
 
   // those of the coordinate system, on both sides of where the rule of DXF for the axes of a plane changes, and any
   std::vector<Vector> axes()
@@ -101,14 +101,14 @@ private:
 
   std::size_t add_vertex(const Point& point)
   {
-    wireframe_.vertices.push_back(point);
-    return wireframe_.vertices.size() - 1;
+    m_wireframe.vertices.push_back(point);
+    return m_wireframe.vertices.size() - 1;
   }
 
   void add(Curve curve)
   {
     measure(curve);
-    wireframe_.curves.push_back(curve);
+    m_wireframe.curves.push_back(curve);
   }
 
   void add_conic(Type type, const Vector& axis)
@@ -141,7 +141,7 @@ private:
     curve.type = Type::LINE;
     curve.source = add_vertex(point());
     curve.target = add_vertex(point());
-    curve.spline = Spline(1, {0, 0, 2, 2}, {wireframe_.vertices[curve.source], wireframe_.vertices[curve.target]});
+    curve.spline = Spline(1, {0, 0, 2, 2}, {m_wireframe.vertices[curve.source], m_wireframe.vertices[curve.target]});
     add(curve);
   }
 
@@ -170,9 +170,9 @@ private:
     add(curve);
   }
 
-  std::mt19937 random_;
-  const Vector offset_;
-  Wireframe wireframe_;
+  std::mt19937 m_random;
+  const Vector m_offset;
+  Wireframe m_wireframe;
 };
 
 Wireframe near_wireframe() { return Closed_form_wireframe(1, Vector(0, 0, 0))(); }

@@ -33,7 +33,7 @@ public:
   typedef CGAL::Wireframe<Traits> Wireframe;
   typedef CGAL::Wireframe_curve<Traits> Curve;
 
-  explicit Random_wireframe(unsigned seed) : random_(seed) {}
+  explicit Random_wireframe(unsigned seed) : m_random(seed) {}
 
   Wireframe operator()()
   {
@@ -47,7 +47,7 @@ public:
   }
 
 private:
-  FT number(double low, double high) { return FT(std::uniform_real_distribution<double>(low, high)(random_)); }
+  FT number(double low, double high) { return FT(std::uniform_real_distribution<double>(low, high)(m_random)); }
 
   Point_3 point()
   {
@@ -118,7 +118,7 @@ private:
     return result;
   }
 
-  std::mt19937 random_;
+  std::mt19937 m_random;
 };
 
 // of points or vectors

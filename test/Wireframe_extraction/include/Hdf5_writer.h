@@ -16,16 +16,16 @@ class Hdf5_writer
 {
 public:
   explicit Hdf5_writer(const std::string& name)
-    : file_(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT))
+    : m_file(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT))
   {
-    assert(file_ >= 0);
+    assert(m_file >= 0);
   }
 
-  ~Hdf5_writer() { H5Fclose(file_); }
+  ~Hdf5_writer() { H5Fclose(m_file); }
 
   void add_group(const std::string& name)
   {
-    H5Gclose(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+    H5Gclose(H5Gcreate2(m_file, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
   }
 
   void add(const std::string& name, const std::vector<double>& values, const std::vector<hsize_t>& shape,
@@ -40,7 +40,7 @@ public:
       H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
       H5Pset_deflate(properties, 9);
     }
-    const hid_t dataset = H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT);
+    const hid_t dataset = H5Dcreate2(m_file, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT);
     assert(dataset >= 0);
     if (is_written)
       assert(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
@@ -54,7 +54,7 @@ public:
     const hsize_t count = rows.size();
     const hid_t space = H5Screate_simple(1, &count, nullptr);
     const hid_t file_type = H5Tvlen_create(type), memory_type = H5Tvlen_create(H5T_NATIVE_DOUBLE);
-    const hid_t dataset = H5Dcreate2(file_, name.c_str(), file_type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t dataset = H5Dcreate2(m_file, name.c_str(), file_type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     std::vector<hvl_t> raw;
     for (std::vector<double>& row : rows)
       raw.push_back({row.size(), row.data()});
@@ -71,7 +71,7 @@ public:
     const hid_t space = H5Screate_simple(2, shape, nullptr);
     const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
     H5Pset_external(properties, "scratch_elsewhere.raw", 0, H5F_UNLIMITED);
-    H5Dclose(H5Dcreate2(file_, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, properties, H5P_DEFAULT));
+    H5Dclose(H5Dcreate2(m_file, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, properties, H5P_DEFAULT));
     H5Pclose(properties);
     H5Sclose(space);
   }
@@ -79,13 +79,13 @@ public:
   void add_text(const std::string& name)
   {
     const hid_t space = H5Screate(H5S_SCALAR);
-    const hid_t dataset = H5Dcreate2(file_, name.c_str(), H5T_C_S1, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t dataset = H5Dcreate2(m_file, name.c_str(), H5T_C_S1, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     H5Dclose(dataset);
     H5Sclose(space);
   }
 
 private:
-  hid_t file_;
+  hid_t m_file;
 };
 
 #endif

@@ -96,7 +96,7 @@ public:
     bool is_flipped; ///< its corners are (i+1, j+1), (i, j+1), (i+1, j) if so, else (i, j), (i+1, j), (i, j+1)
   };
 
-  explicit Mesh_tiling(const Labelled_mesh& mesh_) : mesh(mesh_) {}
+  explicit Mesh_tiling(const Labelled_mesh& m_mesh) : mesh(m_mesh) {}
 
   std::vector<Tile> tiles(double side)
   {

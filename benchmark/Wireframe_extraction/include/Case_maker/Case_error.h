@@ -31,7 +31,7 @@ enum Exit_code
 class Case_error : public std::runtime_error
 {
 public:
-  Case_error(Exit_code code_, const std::string& text) : std::runtime_error(text), code(code_) {}
+  Case_error(Exit_code m_code, const std::string& text) : std::runtime_error(text), code(m_code) {}
 
   Exit_code exit_code() const { return code; }
 

@@ -54,7 +54,7 @@ public:
   /// says what is to be done, once the options are known
   typedef std::function<std::vector<Case_job>()> Job_maker;
 
-  Case_program(const std::string& name_, const std::string& description) : name(name_), app(description, name_)
+  Case_program(const std::string& m_name, const std::string& description) : name(m_name), app(description, m_name)
   {
     app.set_version_flag("--version", name + " " + WIREFRAME_EXTRACTION_VERSION_STRING);
     app.add_option("-o,--output", output, "directory in which each shape gets a directory of its own");

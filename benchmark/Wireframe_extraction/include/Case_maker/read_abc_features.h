@@ -57,7 +57,7 @@ namespace internal {
 class Abc_feature_handler : public YAML::EventHandler
 {
 public:
-  Abc_feature_handler(const std::string& path_, Abc_features& features_) : path(path_), features(features_) {}
+  Abc_feature_handler(const std::string& m_path, Abc_features& m_features) : path(m_path), features(m_features) {}
 
   void OnDocumentStart(const YAML::Mark&) override {}
   void OnDocumentEnd() override {}

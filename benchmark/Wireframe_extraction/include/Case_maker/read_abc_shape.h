@@ -34,8 +34,8 @@ namespace internal {
 class Abc_shape_builder
 {
 public:
-  Abc_shape_builder(const std::string& mesh_path_, const std::string& features_path_)
-    : mesh_path(mesh_path_), features_path(features_path_), features(read_abc_features(features_path_))
+  Abc_shape_builder(const std::string& m_mesh_path, const std::string& m_features_path)
+    : mesh_path(m_mesh_path), features_path(m_features_path), features(read_abc_features(m_features_path))
   {
     shape.mesh = read_obj_mesh(mesh_path);
   }

@@ -43,7 +43,7 @@ namespace internal {
 class Obj_reader
 {
 public:
-  explicit Obj_reader(const std::string& path_) : path(path_), text(read_file(path_)) {}
+  explicit Obj_reader(const std::string& m_path) : path(m_path), text(read_file(m_path)) {}
 
   Labelled_mesh mesh()
   {

@@ -100,8 +100,8 @@ struct Step_surfaces
 class Step_shape_builder
 {
 public:
-  Step_shape_builder(const TopoDS_Shape& part_, const std::string& path_, const Step_options& options_)
-    : part(part_), path(path_), options(options_)
+  Step_shape_builder(const TopoDS_Shape& m_part, const std::string& m_path, const Step_options& m_options)
+    : part(m_part), path(m_path), options(m_options)
   {}
 
   Annotated_shape build(const Scale_rule& rule)

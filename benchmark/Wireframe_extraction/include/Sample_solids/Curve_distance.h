@@ -27,7 +27,7 @@ namespace Sample_solids {
 class Curve_distance
 {
 public:
-  Curve_distance(const std::vector<Curve>& curves_, const std::vector<std::size_t>& selected) : curves(&curves_)
+  Curve_distance(const std::vector<Curve>& m_curves, const std::vector<std::size_t>& selected) : curves(&m_curves)
   {
     for (std::size_t i : selected)
       add_pieces(i);

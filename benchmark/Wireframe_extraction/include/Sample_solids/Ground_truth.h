@@ -44,8 +44,8 @@ namespace internal {
 class Chains
 {
 public:
-  Chains(const Solid& solid_, double step_)
-    : solid(solid_), step(step_), incident(solid_.vertices.size()), is_used(solid_.curves.size(), false)
+  Chains(const Solid& m_solid, double m_step)
+    : solid(m_solid), step(m_step), incident(m_solid.vertices.size()), is_used(m_solid.curves.size(), false)
   {
     for (std::size_t edge : solid.sharp_curves())
       if (!solid.curves[edge].is_closed)

@@ -57,9 +57,9 @@ class Poisson_sampler
 public:
   typedef typename Tiling::Tile Tile;
 
-  Poisson_sampler(Tiling& tiling_, double sampling_distance, std::size_t n, Random& random_, Cloud& cloud_)
-    : tiling(tiling_), smallest(0.9 * sampling_distance), largest(sampling_distance), wanted(n), random(random_),
-      cloud(cloud_), grid(2 * largest, n), tiles(tiling.tiles(smallest))
+  Poisson_sampler(Tiling& m_tiling, double sampling_distance, std::size_t n, Random& m_random, Cloud& m_cloud)
+    : tiling(m_tiling), smallest(0.9 * sampling_distance), largest(sampling_distance), wanted(n), random(m_random),
+      cloud(m_cloud), grid(2 * largest, n), tiles(tiling.tiles(smallest))
   {
     cloud.faces.reserve(wanted);
   }

@@ -118,7 +118,7 @@ inline Loop circle_loop(double x, double y, double radius)
 class Profile
 {
 public:
-  Profile(std::vector<Loop> loops_) : loops(std::move(loops_))
+  Profile(std::vector<Loop> m_loops) : loops(std::move(m_loops))
   {
     for (const Loop& loop : loops)
       for (const Side& side : loop)

@@ -129,9 +129,9 @@ private:
 class Field_disturber
 {
 public:
-  Field_disturber(Cloud& cloud_, Field_kind kind, Random& random_)
-    : cloud(cloud_), level(error_level(kind)), random(random_), errors(cloud_.points.size()),
-      patches(cloud_.points.size(), no_patch)
+  Field_disturber(Cloud& m_cloud, Field_kind kind, Random& m_random)
+    : cloud(m_cloud), level(error_level(kind)), random(m_random), errors(m_cloud.points.size()),
+      patches(m_cloud.points.size(), no_patch)
   {}
 
   void run()

@@ -55,7 +55,7 @@ namespace internal {
 class Uniform_sampler
 {
 public:
-  Uniform_sampler(const Solid& solid_, Random& random_) : solid(solid_), random(random_)
+  Uniform_sampler(const Solid& m_solid, Random& m_random) : solid(m_solid), random(m_random)
   {
     for (const Face& face : solid.faces)
       sums.push_back(sum += face.area);
@@ -106,7 +106,7 @@ public:
     std::uint32_t face, i, j;
   };
 
-  explicit Solid_tiling(const Solid& solid_) : solid(solid_) {}
+  explicit Solid_tiling(const Solid& m_solid) : solid(m_solid) {}
 
   std::vector<Tile> tiles(double side)
   {

@@ -46,7 +46,7 @@ public:
   typedef typename GeomTraits::FT FT;
   typedef typename GeomTraits::Point_3 Point_3;
 
-  explicit Wireframe_json_reader(const GeomTraits& traits) : traits_(traits) {}
+  explicit Wireframe_json_reader(const GeomTraits& traits) : m_traits(traits) {}
 
   bool read(std::istream& stream, Wireframe& wireframe)
   {
@@ -54,14 +54,14 @@ public:
     return parse(stream, document) && check_format(document) && read_document(document, wireframe);
   }
 
-  const std::string& error() const { return error_; }
+  const std::string& error() const { return m_error; }
 
 private:
   typedef nlohmann::json Json;
 
   bool fail(const std::string& error)
   {
-    error_ = place_ + error;
+    m_error = m_place + error;
     return false;
   }
 
@@ -110,14 +110,14 @@ private:
     result.sampling_distance = FT(sampling_distance);
     for (std::size_t i = 0; i < curves->size(); ++i)
     {
-      place_ = "curve " + std::to_string(i) + ": ";
+      m_place = "curve " + std::to_string(i) + ": ";
       Curve curve;
       if (!read_curve((*curves)[i], curve))
         return false;
       result.curves.push_back(std::move(curve));
     }
-    place_.clear();
-    const std::string problem = wireframe_problem(result, traits_);
+    m_place.clear();
+    const std::string problem = wireframe_problem(result, m_traits);
     if (!problem.empty())
       return fail(problem);
     wireframe = std::move(result);
@@ -170,9 +170,9 @@ private:
         || !read_pair(json, "radii", conic.major_radius, conic.minor_radius)
         || !read_pair(json, "angles", conic.start_angle, conic.end_angle))
       return false;
-    conic.center = traits_.construct_point_3_object()(center[0], center[1], center[2]);
-    conic.axis = traits_.construct_vector_3_object()(axis[0], axis[1], axis[2]);
-    conic.major_direction = traits_.construct_vector_3_object()(direction[0], direction[1], direction[2]);
+    conic.center = m_traits.construct_point_3_object()(center[0], center[1], center[2]);
+    conic.axis = m_traits.construct_vector_3_object()(axis[0], axis[1], axis[2]);
+    conic.major_direction = m_traits.construct_vector_3_object()(direction[0], direction[1], direction[2]);
     return true;
   }
 
@@ -203,10 +203,10 @@ private:
     if (degree > control_points.size())
       return fail("degree " + std::to_string(degree) + " needs more than that many control points; there are "
                   + std::to_string(control_points.size()));
-    if (!Curve::Spline::is_valid(degree, knots, control_points, weights, &why, traits_))
+    if (!Curve::Spline::is_valid(degree, knots, control_points, weights, &why, m_traits))
       return fail(why);
     curve.spline = typename Curve::Spline(degree, std::move(knots), std::move(control_points), std::move(weights),
-                                          json["closed"].template get<bool>(), traits_);
+                                          json["closed"].template get<bool>(), m_traits);
     return true;
   }
 
@@ -316,15 +316,15 @@ private:
           || !is_finite_number(value[2]))
         return fail(quote(key) + " holds at index " + std::to_string(points.size())
                     + " something else than a point of three finite numbers");
-      points.push_back(traits_.construct_point_3_object()(FT(value[0].get<double>()), FT(value[1].get<double>()),
-                                                          FT(value[2].get<double>())));
+      points.push_back(m_traits.construct_point_3_object()(FT(value[0].get<double>()), FT(value[1].get<double>()),
+                                                           FT(value[2].get<double>())));
     }
     return true;
   }
 
-  const GeomTraits& traits_;
-  std::string place_;
-  std::string error_;
+  const GeomTraits& m_traits;
+  std::string m_place;
+  std::string m_error;
 };
 
 } // namespace internal

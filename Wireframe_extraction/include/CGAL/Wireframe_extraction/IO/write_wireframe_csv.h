@@ -36,8 +36,8 @@ class Csv_row
 public:
   void add(const std::string& text)
   {
-    text_ += (is_first_ ? "" : ",") + text;
-    is_first_ = false;
+    m_text += (m_is_first ? "" : ",") + text;
+    m_is_first = false;
   }
 
   void add(double value) { add(number_to_string(value)); }
@@ -56,11 +56,11 @@ public:
   }
 
   // RFC 4180 ends lines so, on all systems
-  std::string text() const { return text_ + "\r\n"; }
+  std::string text() const { return m_text + "\r\n"; }
 
 private:
-  std::string text_;
-  bool is_first_ = true;
+  std::string m_text;
+  bool m_is_first = true;
 };
 
 inline const char* csv_header()

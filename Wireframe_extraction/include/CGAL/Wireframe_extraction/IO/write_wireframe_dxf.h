@@ -41,42 +41,42 @@ class Dxf_entities
   typedef Spline_curve_3<GeomTraits> Spline;
 
 public:
-  explicit Dxf_entities(const GeomTraits& traits) : traits_(traits) {}
+  explicit Dxf_entities(const GeomTraits& traits) : m_traits(traits) {}
 
   void add(const CGAL::Wireframe<GeomTraits>& wireframe)
   {
     for (const auto& vertex : wireframe.vertices)
-      add_vertex(vector_of(vertex, traits_));
+      add_vertex(vector_of(vertex, m_traits));
     for (const Curve& curve : wireframe.curves)
       add_curve(curve);
   }
 
-  const Dxf_text& dxf() const { return dxf_; }
-  const Dxf_extent& extent() const { return extent_; }
-  std::string next_handle() const { return to_hexadecimal(handle_); }
+  const Dxf_text& dxf() const { return m_dxf; }
+  const Dxf_extent& extent() const { return m_extent; }
+  std::string next_handle() const { return to_hexadecimal(m_handle); }
 
 private:
   void start(const char* name, const Dxf_layer& layer)
   {
-    dxf_.add(0, name);
-    dxf_.add(5, to_hexadecimal(handle_++));
-    dxf_.add("330 1F\n100 AcDbEntity");
-    dxf_.add(8, layer.name);
+    m_dxf.add(0, name);
+    m_dxf.add(5, to_hexadecimal(m_handle++));
+    m_dxf.add("330 1F\n100 AcDbEntity");
+    m_dxf.add(8, layer.name);
   }
 
   void add_vertex(const Spline_vector& p)
   {
-    extent_.add(p);
+    m_extent.add(p);
     start("POINT", dxf_layer_of_vertices());
-    dxf_.add(100, "AcDbPoint");
-    dxf_.add(10, p);
+    m_dxf.add(100, "AcDbPoint");
+    m_dxf.add(10, p);
   }
 
   void add_curve(const Curve& curve)
   {
     // the curve does not leave the hull of its control points
     for (const auto& point : curve.spline.control_points())
-      extent_.add(vector_of(point, traits_));
+      m_extent.add(vector_of(point, m_traits));
     switch (curve.type)
     {
     case Wireframe_curve_type::LINE: return add_line(curve);
@@ -91,63 +91,63 @@ private:
   void add_line(const Curve& curve)
   {
     start("LINE", dxf_layer_of(curve.type));
-    dxf_.add(100, "AcDbLine");
-    dxf_.add(10, vector_of(curve.spline.control_points().front(), traits_));
-    dxf_.add(11, vector_of(curve.spline.control_points().back(), traits_));
+    m_dxf.add(100, "AcDbLine");
+    m_dxf.add(10, vector_of(curve.spline.control_points().front(), m_traits));
+    m_dxf.add(11, vector_of(curve.spline.control_points().back(), m_traits));
   }
 
   // The plane of a circle has axes of its own, which follow from its normal by the rule of the format.
   void add_circle(const Curve& curve)
   {
-    const Orthonormal_conic conic = orthonormal_conic(curve, traits_);
+    const Orthonormal_conic conic = orthonormal_conic(curve, m_traits);
     const Spline_vector n = conic.axis;
     const bool is_steep = std::abs(n.x) < 1. / 64. && std::abs(n.y) < 1. / 64.;
     const Spline_vector x = unit_vector(cross(is_steep ? Spline_vector{0., 1., 0.} : Spline_vector{0., 0., 1.}, n));
     const Spline_vector y = unit_vector(cross(n, x));
     start(conic.is_full ? "CIRCLE" : "ARC", dxf_layer_of(curve.type));
-    dxf_.add(100, "AcDbCircle");
-    dxf_.add(10, Spline_vector{dot(conic.center, x), dot(conic.center, y), dot(conic.center, n)});
-    dxf_.add(40, conic.major_radius);
-    dxf_.add(210, n);
+    m_dxf.add(100, "AcDbCircle");
+    m_dxf.add(10, Spline_vector{dot(conic.center, x), dot(conic.center, y), dot(conic.center, n)});
+    m_dxf.add(40, conic.major_radius);
+    m_dxf.add(210, n);
     if (conic.is_full)
       return;
     const double begin = std::atan2(dot(conic.x, y), dot(conic.x, x)) + conic.start_angle;
-    dxf_.add(100, "AcDbArc");
-    dxf_.add(50, in_turn(begin * 180. / CGAL_PI, 360.));
-    dxf_.add(51, end_in_turn((begin + conic.sweep) * 180. / CGAL_PI, 360.));
+    m_dxf.add(100, "AcDbArc");
+    m_dxf.add(50, in_turn(begin * 180. / CGAL_PI, 360.));
+    m_dxf.add(51, end_in_turn((begin + conic.sweep) * 180. / CGAL_PI, 360.));
   }
 
   void add_ellipse(const Curve& curve)
   {
-    const Orthonormal_conic conic = orthonormal_conic(curve, traits_);
+    const Orthonormal_conic conic = orthonormal_conic(curve, m_traits);
     // the format has no flatter ones
     if (conic.minor_radius < 1e-6 * conic.major_radius)
       return add_spline(curve.type, curve.spline);
     start("ELLIPSE", dxf_layer_of(curve.type));
-    dxf_.add(100, "AcDbEllipse");
-    dxf_.add(10, conic.center);
-    dxf_.add(11, conic.major_radius * conic.x);
-    dxf_.add(210, conic.axis);
-    dxf_.add(40, conic.minor_radius / conic.major_radius);
-    dxf_.add(41, conic.is_full ? 0. : in_turn(conic.start_angle, 2. * CGAL_PI));
-    dxf_.add(42, conic.is_full ? 2. * CGAL_PI : end_in_turn(conic.start_angle + conic.sweep, 2. * CGAL_PI));
+    m_dxf.add(100, "AcDbEllipse");
+    m_dxf.add(10, conic.center);
+    m_dxf.add(11, conic.major_radius * conic.x);
+    m_dxf.add(210, conic.axis);
+    m_dxf.add(40, conic.minor_radius / conic.major_radius);
+    m_dxf.add(41, conic.is_full ? 0. : in_turn(conic.start_angle, 2. * CGAL_PI));
+    m_dxf.add(42, conic.is_full ? 2. * CGAL_PI : end_in_turn(conic.start_angle + conic.sweep, 2. * CGAL_PI));
   }
 
   void add_spline(Wireframe_curve_type type, const Spline& spline)
   {
     start("SPLINE", dxf_layer_of(type));
-    dxf_.add(100, "AcDbSpline");
-    dxf_.add(70, (spline.is_closed() ? 1 : 0) + (spline.is_rational() ? 4 : 0));
-    dxf_.add(71, spline.degree());
-    dxf_.add(72, spline.knots().size());
-    dxf_.add(73, spline.control_points().size());
-    dxf_.add(74, 0);
+    m_dxf.add(100, "AcDbSpline");
+    m_dxf.add(70, (spline.is_closed() ? 1 : 0) + (spline.is_rational() ? 4 : 0));
+    m_dxf.add(71, spline.degree());
+    m_dxf.add(72, spline.knots().size());
+    m_dxf.add(73, spline.control_points().size());
+    m_dxf.add(74, 0);
     for (const auto& knot : spline.knots())
-      dxf_.add(40, CGAL::to_double(knot));
+      m_dxf.add(40, CGAL::to_double(knot));
     for (const auto& weight : spline.weights())
-      dxf_.add(41, CGAL::to_double(weight));
+      m_dxf.add(41, CGAL::to_double(weight));
     for (const auto& point : spline.control_points())
-      dxf_.add(10, vector_of(point, traits_));
+      m_dxf.add(10, vector_of(point, m_traits));
   }
 
   // the same angle in the first turn
@@ -164,10 +164,10 @@ private:
     return result > 0. ? result : turn;
   }
 
-  const GeomTraits& traits_;
-  Dxf_text dxf_;
-  Dxf_extent extent_;
-  std::size_t handle_ = 0x100;
+  const GeomTraits& m_traits;
+  Dxf_text m_dxf;
+  Dxf_extent m_extent;
+  std::size_t m_handle = 0x100;
 };
 
 template <class GeomTraits, class NamedParameters>

@@ -42,7 +42,7 @@ namespace internal {
 class Gltf_scene
 {
 public:
-  explicit Gltf_scene(const Sampled_wireframe& sampled) : sampled_(sampled) { find_center(); }
+  explicit Gltf_scene(const Sampled_wireframe& sampled) : m_sampled(sampled) { find_center(); }
 
   template <class GeomTraits>
   bool add(const CGAL::Wireframe<GeomTraits>& wireframe, std::string& error)
@@ -57,12 +57,12 @@ public:
       const auto& curve = wireframe.curves[i];
       const std::size_t kind = static_cast<std::size_t>(
         std::find(all_curve_types().begin(), all_curve_types().end(), curve.type) - all_curve_types().begin());
-      add_node("curve_" + std::to_string(i) + "_" + to_string(curve.type), extras_of(i, curve), sampled_.polylines[i],
+      add_node("curve_" + std::to_string(i) + "_" + to_string(curve.type), extras_of(i, curve), m_sampled.polylines[i],
                3, kind);
     }
-    if (!is_finite_)
+    if (!m_is_finite)
       error = "the wireframe is too large for the single precision of glTF; scale it down";
-    else if (bytes_.size() > 0xF0000000u)
+    else if (m_bytes.size() > 0xF0000000u)
       error = "there are more points than a glTF file can hold; give a larger sampling_step";
     return error.empty();
   }
@@ -72,46 +72,46 @@ public:
   {
     std::string text = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"Wireframe_extraction\"},\n\"scene\":0,"
                        "\"scenes\":[{\"name\":\"wireframe\"";
-    if (nodes_.empty())
+    if (m_nodes.empty())
       return text + "}]}\n";
-    Coordinates place = center_;
+    Coordinates place = m_center;
     for (double& coordinate : place)
       coordinate *= meters_per_unit;
     const Coordinates scale = {{meters_per_unit, meters_per_unit, meters_per_unit}};
     std::string children;
-    for (std::size_t i = 0; i < number_of_nodes_; ++i)
+    for (std::size_t i = 0; i < m_number_of_nodes; ++i)
       children += (i == 0 ? "" : ",") + std::to_string(i + 1);
     text += ",\"nodes\":[0]}],\n\"extensionsUsed\":[\"KHR_materials_unlit\"],\n\"nodes\":[{\"name\":\"wireframe\","
             "\"translation\":"
       + json_array(place, json_number) + ",\"scale\":" + json_array(scale, json_number) + ",\"children\":[" + children
-      + "]}" + nodes_ + "],\n\"meshes\":[" + meshes_ + "],\n\"accessors\":[" + accessors_ + "],\n\"materials\":["
+      + "]}" + m_nodes + "],\n\"meshes\":[" + m_meshes + "],\n\"accessors\":[" + m_accessors + "],\n\"materials\":["
       + materials()
       + "],\n"
         "\"bufferViews\":[{\"buffer\":0,\"byteLength\":"
-      + std::to_string(bytes_.size())
-      + ",\"byteStride\":12,\"target\":34962}],\n\"buffers\":[{\"byteLength\":" + std::to_string(bytes_.size());
+      + std::to_string(m_bytes.size())
+      + ",\"byteStride\":12,\"target\":34962}],\n\"buffers\":[{\"byteLength\":" + std::to_string(m_bytes.size());
     if (!uri.empty())
       text += ",\"uri\":\"" + uri + "\"";
     return text + "}]}\n";
   }
 
-  const std::string& bytes() const { return bytes_; }
+  const std::string& bytes() const { return m_bytes; }
 
 private:
   // Single precision is enough around the middle, but not at coordinates that are far off.
   void find_center()
   {
-    if (sampled_.points.empty())
+    if (m_sampled.points.empty())
       return;
-    Coordinates low = sampled_.points.front(), high = low;
-    for (const Coordinates& point : sampled_.points)
+    Coordinates low = m_sampled.points.front(), high = low;
+    for (const Coordinates& point : m_sampled.points)
       for (std::size_t i = 0; i < 3; ++i)
       {
         low[i] = (std::min)(low[i], point[i]);
         high[i] = (std::max)(high[i], point[i]);
       }
     for (std::size_t i = 0; i < 3; ++i)
-      center_[i] = 0.5 * low[i] + 0.5 * high[i];
+      m_center[i] = 0.5 * low[i] + 0.5 * high[i];
   }
 
   template <class GeomTraits>
@@ -126,28 +126,28 @@ private:
   void add_node(const std::string& name, const std::string& extras, const std::vector<std::size_t>& indices, int mode,
                 std::size_t material)
   {
-    const std::string number = std::to_string(number_of_nodes_), separator = (number_of_nodes_ == 0 ? "\n" : ",\n");
+    const std::string number = std::to_string(m_number_of_nodes), separator = (m_number_of_nodes == 0 ? "\n" : ",\n");
     add_accessor(indices, separator);
-    meshes_ += separator + "{\"primitives\":[{\"attributes\":{\"POSITION\":" + number
+    m_meshes += separator + "{\"primitives\":[{\"attributes\":{\"POSITION\":" + number
       + "},\"mode\":" + std::to_string(mode) + ",\"material\":" + std::to_string(material) + "}]}";
-    nodes_ += ",\n{\"name\":\"" + name + "\",\"mesh\":" + number + extras + "}";
-    ++number_of_nodes_;
+    m_nodes += ",\n{\"name\":\"" + name + "\",\"mesh\":" + number + extras + "}";
+    ++m_number_of_nodes;
   }
 
   void add_accessor(const std::vector<std::size_t>& indices, const std::string& separator)
   {
-    const std::size_t offset = bytes_.size();
+    const std::size_t offset = m_bytes.size();
     std::array<float, 3> low, high;
     for (std::size_t i = 0; i < indices.size(); ++i)
       for (std::size_t j = 0; j < 3; ++j)
       {
-        const float coordinate = to_float(sampled_.points[indices[i]][j] - center_[j]);
+        const float coordinate = to_float(m_sampled.points[indices[i]][j] - m_center[j]);
         low[j] = (i == 0) ? coordinate : (std::min)(low[j], coordinate);
         high[j] = (i == 0) ? coordinate : (std::max)(high[j], coordinate);
-        append_little_endian(coordinate, bytes_);
+        append_little_endian(coordinate, m_bytes);
       }
     const auto to_text = [](float value) { return json_number(static_cast<double>(value)); };
-    accessors_ += separator + "{\"bufferView\":0,\"byteOffset\":" + std::to_string(offset)
+    m_accessors += separator + "{\"bufferView\":0,\"byteOffset\":" + std::to_string(offset)
       + ",\"componentType\":5126,\"count\":" + std::to_string(indices.size())
       + ",\"type\":\"VEC3\",\"min\":" + json_array(low, to_text) + ",\"max\":" + json_array(high, to_text) + "}";
   }
@@ -157,7 +157,7 @@ private:
   {
     if (std::abs(value) < 3.4e38)
       return static_cast<float>(value);
-    is_finite_ = false;
+    m_is_finite = false;
     return 0.f;
   }
 
@@ -181,11 +181,11 @@ private:
       + ",\"metallicFactor\":0},\"extensions\":{\"KHR_materials_unlit\":{}}}";
   }
 
-  const Sampled_wireframe& sampled_;
-  Coordinates center_ = {{0., 0., 0.}};
-  std::string nodes_, meshes_, accessors_, bytes_;
-  std::size_t number_of_nodes_ = 0;
-  bool is_finite_ = true;
+  const Sampled_wireframe& m_sampled;
+  Coordinates m_center = {{0., 0., 0.}};
+  std::string m_nodes, m_meshes, m_accessors, m_bytes;
+  std::size_t m_number_of_nodes = 0;
+  bool m_is_finite = true;
 };
 
 // the header of a .glb file, and its two chunks, which are filled up to multiples of four bytes

@@ -50,21 +50,21 @@ class Obj_spline_writer
   typedef Spline_curve_3<GeomTraits> Spline;
 
 public:
-  Obj_spline_writer(std::ostream& out, const GeomTraits& traits) : out_(out), traits_(traits) {}
+  Obj_spline_writer(std::ostream& out, const GeomTraits& traits) : m_out(out), m_traits(traits) {}
 
   void write(const CGAL::Wireframe<GeomTraits>& wireframe)
   {
-    out_ << obj_comment(wireframe);
+    m_out << obj_comment(wireframe);
     for (const auto& vertex : wireframe.vertices)
-      out_ << "v " << to_text(coordinates_of(vertex, traits_)) << "\n";
-    number_of_points_ = wireframe.vertices.size();
+      m_out << "v " << to_text(coordinates_of(vertex, m_traits)) << "\n";
+    m_number_of_points = wireframe.vertices.size();
     for (std::size_t i = 0; i < wireframe.curves.size(); ++i)
     {
       const Curve& curve = wireframe.curves[i];
       if (curve.type == Wireframe_curve_type::LINE)
         write_line(i, curve);
       else
-        write_spline(i, curve, curve.conic ? curve.conic->to_spline(curve.is_closed(), traits_) : curve.spline);
+        write_spline(i, curve, curve.conic ? curve.conic->to_spline(curve.is_closed(), m_traits) : curve.spline);
     }
   }
 
@@ -74,7 +74,7 @@ private:
   {
     const std::string first = end_point(curve.source, curve.spline, 0);
     const std::string last = end_point(curve.target, curve.spline, curve.spline.control_points().size() - 1);
-    out_ << obj_group(index, curve.type) << "l " << first << " " << last << "\n";
+    m_out << obj_group(index, curve.type) << "l " << first << " " << last << "\n";
   }
 
   void write_spline(std::size_t index, const Curve& curve, const Spline& spline)
@@ -87,12 +87,12 @@ private:
     const bool ends_where_it_starts = spline.is_closed() && curve.target == Curve::no_vertex
       && (!spline.is_rational() || spline.weights().front() == spline.weights().back());
     points += " " + (ends_where_it_starts ? first_point : end_point(curve.target, spline, last));
-    out_ << obj_group(index, curve.type) << "cstype " << (spline.is_rational() ? "rat " : "") << "bspline\ndeg "
-         << std::to_string(spline.degree()) << "\ncurv " << text(spline.parameter_range().first) << " "
-         << text(spline.parameter_range().second) << " " << points << "\nparm u";
+    m_out << obj_group(index, curve.type) << "cstype " << (spline.is_rational() ? "rat " : "") << "bspline\ndeg "
+          << std::to_string(spline.degree()) << "\ncurv " << text(spline.parameter_range().first) << " "
+          << text(spline.parameter_range().second) << " " << points << "\nparm u";
     for (const auto& knot : spline.knots())
-      out_ << " " << text(knot);
-    out_ << "\nend\n";
+      m_out << " " << text(knot);
+    m_out << "\nend\n";
   }
 
   // a vertex has the weight one
@@ -104,11 +104,11 @@ private:
 
   std::string new_point(const Spline& spline, std::size_t i)
   {
-    out_ << "v " << to_text(coordinates_of(spline.control_points()[i], traits_));
+    m_out << "v " << to_text(coordinates_of(spline.control_points()[i], m_traits));
     if (spline.is_rational())
-      out_ << " " << text(spline.weights()[i]);
-    out_ << "\n";
-    return std::to_string(++number_of_points_);
+      m_out << " " << text(spline.weights()[i]);
+    m_out << "\n";
+    return std::to_string(++m_number_of_points);
   }
 
   template <class FT>
@@ -117,9 +117,9 @@ private:
     return number_to_string(CGAL::to_double(value));
   }
 
-  std::ostream& out_;
-  const GeomTraits& traits_;
-  std::size_t number_of_points_ = 0;
+  std::ostream& m_out;
+  const GeomTraits& m_traits;
+  std::size_t m_number_of_points = 0;
 };
 
 template <class GeomTraits, class NamedParameters>

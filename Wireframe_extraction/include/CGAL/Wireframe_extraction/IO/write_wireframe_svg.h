@@ -45,28 +45,28 @@ struct Svg_view : Drawing_view
 class Svg_drawing
 {
 public:
-  explicit Svg_drawing(const Sampled_wireframe& sampled) : sampled_(sampled)
+  explicit Svg_drawing(const Sampled_wireframe& sampled) : m_sampled(sampled)
   {
-    for (std::size_t i = 0; i < views_.size(); ++i)
-      static_cast<Drawing_view&>(views_[i]) = drawing_views()[i];
+    for (std::size_t i = 0; i < m_views.size(); ++i)
+      static_cast<Drawing_view&>(m_views[i]) = drawing_views()[i];
     find_extent();
     arrange();
   }
 
-  bool is_finite() const { return std::isfinite(scale_) && std::isfinite(width_) && std::isfinite(height_); }
+  bool is_finite() const { return std::isfinite(m_scale) && std::isfinite(m_width) && std::isfinite(m_height); }
 
   template <class GeomTraits>
   void write(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, const char* unit) const
   {
     out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\""
-        << pixels(width_) << "\" height=\"" << pixels(height_) << "\" viewBox=\"0 0 " << pixels(width_) << " "
-        << pixels(height_)
+        << pixels(m_width) << "\" height=\"" << pixels(m_height) << "\" viewBox=\"0 0 " << pixels(m_width) << " "
+        << pixels(m_height)
         << "\" font-family=\"sans-serif\" font-size=\"14\">\n<title>Wireframe: top, front, right "
            "and isometric view</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
-    for (const Svg_view& view : views_)
+    for (const Svg_view& view : m_views)
       write_view(out, wireframe, view);
     write_legend(out, wireframe);
-    out << "<text x=\"" << pixels(margin) << "\" y=\"" << pixels(height_ - margin) << "\">Size " << size_text(0)
+    out << "<text x=\"" << pixels(margin) << "\" y=\"" << pixels(m_height - margin) << "\">Size " << size_text(0)
         << " x " << size_text(1) << " x " << size_text(2) << " " << unit << ", third-angle projection</text>\n</svg>\n";
   }
 
@@ -75,16 +75,16 @@ private:
 
   void find_extent()
   {
-    if (!sampled_.points.empty())
-      low_ = high_ = sampled_.points.front();
-    for (const Coordinates& point : sampled_.points)
+    if (!m_sampled.points.empty())
+      m_low = m_high = m_sampled.points.front();
+    for (const Coordinates& point : m_sampled.points)
       for (std::size_t i = 0; i < 3; ++i)
       {
-        low_[i] = (std::min)(low_[i], point[i]);
-        high_[i] = (std::max)(high_[i], point[i]);
+        m_low[i] = (std::min)(m_low[i], point[i]);
+        m_high[i] = (std::max)(m_high[i], point[i]);
       }
-    for (Svg_view& view : views_)
-      for (const Coordinates& point : sampled_.points)
+    for (Svg_view& view : m_views)
+      for (const Coordinates& point : m_sampled.points)
       {
         view.width = (std::max)(view.width, 2. * std::abs(dot(from_center(point), view.right)));
         view.height = (std::max)(view.height, 2. * std::abs(dot(from_center(point), view.up)));
@@ -95,51 +95,51 @@ private:
   {
     std::array<double, 3> p;
     for (std::size_t i = 0; i < 3; ++i)
-      p[i] = point[i] - (0.5 * low_[i] + 0.5 * high_[i]);
+      p[i] = point[i] - (0.5 * m_low[i] + 0.5 * m_high[i]);
     return Spline_vector{p[0], p[1], p[2]};
   }
 
   // The top view is above the front view, and the right one on its right.
   void arrange()
   {
-    const Svg_view &top = views_[0], &isometric = views_[1], &front = views_[2], &right = views_[3];
+    const Svg_view &top = m_views[0], &isometric = m_views[1], &front = m_views[2], &right = m_views[3];
     const std::array<double, 2> columns = {
       {(std::max)(top.width, front.width), (std::max)(isometric.width, right.width)}};
     const std::array<double, 2> rows = {
       {(std::max)(top.height, isometric.height), (std::max)(front.height, right.height)}};
     const double size = (std::max)(columns[0] + columns[1], rows[0] + rows[1]);
-    scale_ = size > 0. ? 900. / size : 1.;
+    m_scale = size > 0. ? 900. / size : 1.;
     for (std::size_t i = 0; i < 4; ++i)
     {
-      Svg_view& view = views_[i];
+      Svg_view& view = m_views[i];
       const bool is_right = (i % 2 == 1), is_below = (i / 2 == 1);
       // what is higher or wider than another view of its row or column has the same middle
-      view.left =
-        margin + (is_right ? scale_ * columns[0] + 2. * margin : 0.) + 0.5 * scale_ * (columns[is_right] - view.width);
-      view.top = title_height + (is_below ? scale_ * rows[0] + margin + title_height : 0.)
-        + 0.5 * scale_ * (rows[is_below] - view.height);
+      view.left = margin + (is_right ? m_scale * columns[0] + 2. * margin : 0.)
+        + 0.5 * m_scale * (columns[is_right] - view.width);
+      view.top = title_height + (is_below ? m_scale * rows[0] + margin + title_height : 0.)
+        + 0.5 * m_scale * (rows[is_below] - view.height);
     }
-    row_tops_ = {{title_height, scale_ * rows[0] + margin + 2. * title_height}};
-    column_lefts_ = {{margin, scale_ * columns[0] + 3. * margin}};
-    legend_top_ = row_tops_[1] + scale_ * rows[1] + margin;
+    m_row_tops = {{title_height, m_scale * rows[0] + margin + 2. * title_height}};
+    m_column_lefts = {{margin, m_scale * columns[0] + 3. * margin}};
+    m_legend_top = m_row_tops[1] + m_scale * rows[1] + margin;
     // the lines of text below need some room, too
-    width_ = (std::max)(scale_ * (columns[0] + columns[1]) + 4. * margin, 560.);
-    height_ = legend_top_ + 3. * margin;
+    m_width = (std::max)(m_scale * (columns[0] + columns[1]) + 4. * margin, 560.);
+    m_height = m_legend_top + 3. * margin;
   }
 
   template <class GeomTraits>
   void write_view(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, const Svg_view& view) const
   {
-    const std::size_t i = static_cast<std::size_t>(&view - &views_[0]);
+    const std::size_t i = static_cast<std::size_t>(&view - &m_views[0]);
     out << "<g id=\"" << view.id << "\" fill=\"none\" stroke-width=\"1.5\" stroke-linejoin=\"round\">\n<text x=\""
-        << pixels(column_lefts_[i % 2]) << "\" y=\"" << pixels(row_tops_[i / 2] - 10.) << "\" fill=\"black\">"
+        << pixels(m_column_lefts[i % 2]) << "\" y=\"" << pixels(m_row_tops[i / 2] - 10.) << "\" fill=\"black\">"
         << view.title << "</text>\n";
-    for (std::size_t j = 0; j < sampled_.polylines.size(); ++j)
+    for (std::size_t j = 0; j < m_sampled.polylines.size(); ++j)
     {
       const Wireframe_curve_type type = wireframe.curves[j].type;
       out << "<polyline class=\"" << to_string(type) << "\" stroke=\"" << hexadecimal(colour_of(type))
           << "\" points=\"";
-      for (const std::size_t index : sampled_.polylines[j])
+      for (const std::size_t index : m_sampled.polylines[j])
         out << pixels(page_x(view, index)) << "," << pixels(page_y(view, index)) << " ";
       out << "\"><title>curve " << std::to_string(j) << ": " << to_string(type) << "</title></polyline>\n";
     }
@@ -151,12 +151,12 @@ private:
 
   double page_x(const Svg_view& view, std::size_t index) const
   {
-    return view.left + scale_ * (0.5 * view.width + dot(from_center(sampled_.points[index]), view.right));
+    return view.left + m_scale * (0.5 * view.width + dot(from_center(m_sampled.points[index]), view.right));
   }
 
   double page_y(const Svg_view& view, std::size_t index) const
   {
-    return view.top + scale_ * (0.5 * view.height - dot(from_center(sampled_.points[index]), view.up));
+    return view.top + m_scale * (0.5 * view.height - dot(from_center(m_sampled.points[index]), view.up));
   }
 
   // the kinds of curves that are there
@@ -170,7 +170,7 @@ private:
     out << "<g id=\"legend\">\n";
     for (const Wireframe_curve_type type : types)
     {
-      out << "<text x=\"" << pixels(left) << "\" y=\"" << pixels(legend_top_ + 14.) << "\" fill=\""
+      out << "<text x=\"" << pixels(left) << "\" y=\"" << pixels(m_legend_top + 14.) << "\" fill=\""
           << hexadecimal(colour_of(type)) << "\">" << to_string(type) << "</text>\n";
       left += 90.;
     }
@@ -180,7 +180,7 @@ private:
   // a length in the unit of the wireframe, short
   std::string size_text(std::size_t axis) const
   {
-    const double size = high_[axis] - low_[axis];
+    const double size = m_high[axis] - m_low[axis];
     if (!(size > 0.))
       return "0";
     const double digits = std::pow(10., 3. - std::floor(std::log10(size)));
@@ -190,11 +190,11 @@ private:
 
   static std::string pixels(double value) { return number_to_string(std::round(1000. * value) / 1000.); }
 
-  const Sampled_wireframe& sampled_;
-  std::array<Svg_view, 4> views_;
-  Coordinates low_ = {{0., 0., 0.}}, high_ = {{0., 0., 0.}};
-  std::array<double, 2> row_tops_, column_lefts_;
-  double scale_ = 1., legend_top_ = 0., width_ = 0., height_ = 0.;
+  const Sampled_wireframe& m_sampled;
+  std::array<Svg_view, 4> m_views;
+  Coordinates m_low = {{0., 0., 0.}}, m_high = {{0., 0., 0.}};
+  std::array<double, 2> m_row_tops, m_column_lefts;
+  double m_scale = 1., m_legend_top = 0., m_width = 0., m_height = 0.;
 };
 
 template <class GeomTraits, class NamedParameters>

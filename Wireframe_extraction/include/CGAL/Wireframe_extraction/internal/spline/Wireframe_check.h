@@ -43,21 +43,21 @@ public:
   typedef CGAL::Wireframe<GeomTraits> Wireframe;
   typedef CGAL::Wireframe_curve<GeomTraits> Curve;
 
-  Wireframe_check(const Wireframe& wireframe, const GeomTraits& traits) : wireframe_(wireframe), traits_(traits) {}
+  Wireframe_check(const Wireframe& wireframe, const GeomTraits& traits) : m_wireframe(wireframe), m_traits(traits) {}
 
   // the first problem; empty if there is none
   std::string operator()() const
   {
-    const double sampling_distance = CGAL::to_double(wireframe_.sampling_distance);
+    const double sampling_distance = CGAL::to_double(m_wireframe.sampling_distance);
     if (!is_measure(sampling_distance))
       return "the sampling distance is " + IO::internal::number_to_string(sampling_distance)
         + "; it has to be finite and not negative";
-    for (std::size_t i = 0; i < wireframe_.vertices.size(); ++i)
-      if (!is_finite_point(coordinates_of(wireframe_.vertices[i], traits_)))
+    for (std::size_t i = 0; i < m_wireframe.vertices.size(); ++i)
+      if (!is_finite_point(coordinates_of(m_wireframe.vertices[i], m_traits)))
         return "vertex " + std::to_string(i) + " has a coordinate that is not finite";
-    for (std::size_t i = 0; i < wireframe_.curves.size(); ++i)
+    for (std::size_t i = 0; i < m_wireframe.curves.size(); ++i)
     {
-      const std::string problem = curve_problem(wireframe_.curves[i]);
+      const std::string problem = curve_problem(m_wireframe.curves[i]);
       if (!problem.empty())
         return "curve " + std::to_string(i) + ": " + problem;
     }
@@ -112,12 +112,12 @@ private:
 
   std::string conic_problem(const Wireframe_conic<GeomTraits>& conic) const
   {
-    const Coordinates axis = coordinates_of(conic.axis, traits_);
-    const Coordinates direction = coordinates_of(conic.major_direction, traits_);
+    const Coordinates axis = coordinates_of(conic.axis, m_traits);
+    const Coordinates direction = coordinates_of(conic.major_direction, m_traits);
     const double major = CGAL::to_double(conic.major_radius), minor = CGAL::to_double(conic.minor_radius);
     const double sweep = CGAL::to_double(conic.end_angle) - CGAL::to_double(conic.start_angle);
-    if (!is_finite_point(coordinates_of(conic.center, traits_)) || !is_finite_point(axis) || !is_finite_point(direction)
-        || !std::isfinite(major) || !std::isfinite(sweep))
+    if (!is_finite_point(coordinates_of(conic.center, m_traits)) || !is_finite_point(axis)
+        || !is_finite_point(direction) || !std::isfinite(major) || !std::isfinite(sweep))
       return "Its center, axis, major direction, radii or angles are not finite.";
     if (!(std::abs(dot(axis, axis) - 1.) < 1e-6) || !(std::abs(dot(direction, direction) - 1.) < 1e-6)
         || !(std::abs(dot(axis, direction)) < 1e-6))
@@ -133,10 +133,10 @@ private:
   {
     const double tolerance = 1e-6 * size_of(curve);
     const auto& points = curve.spline.control_points();
-    const Coordinates start = coordinates_of(curve.conic->point(curve.conic->start_angle, traits_), traits_);
-    const Coordinates end = coordinates_of(curve.conic->point(curve.conic->end_angle, traits_), traits_);
-    if (!are_close(start, coordinates_of(points.front(), traits_), tolerance)
-        || !are_close(end, coordinates_of(points.back(), traits_), tolerance))
+    const Coordinates start = coordinates_of(curve.conic->point(curve.conic->start_angle, m_traits), m_traits);
+    const Coordinates end = coordinates_of(curve.conic->point(curve.conic->end_angle, m_traits), m_traits);
+    if (!are_close(start, coordinates_of(points.front(), m_traits), tolerance)
+        || !are_close(end, coordinates_of(points.back(), m_traits), tolerance))
       return "Its center, radii and angles do not lead to the ends of its spline.";
     return "";
   }
@@ -147,7 +147,7 @@ private:
   {
     double size = 0.;
     for (const auto& point : curve.spline.control_points())
-      for (const double coordinate : coordinates_of(point, traits_))
+      for (const double coordinate : coordinates_of(point, m_traits))
         size = (std::max)(size, std::abs(coordinate));
     return size;
   }
@@ -157,7 +157,7 @@ private:
     const auto& spline = curve.spline;
     std::string why;
     if (!Curve::Spline::is_valid(spline.degree(), spline.knots(), spline.control_points(), spline.weights(), &why,
-                                 traits_))
+                                 m_traits))
       return why;
     const auto& knots = spline.knots();
     if (knots[spline.degree()] != knots.front() || knots[spline.control_points().size()] != knots.back())
@@ -169,9 +169,9 @@ private:
   std::string vertices_problem(const Curve& curve) const
   {
     for (const std::size_t vertex : {curve.source, curve.target})
-      if (vertex != Curve::no_vertex && vertex >= wireframe_.vertices.size())
+      if (vertex != Curve::no_vertex && vertex >= m_wireframe.vertices.size())
         return "Its vertex " + std::to_string(vertex) + " does not exist; there are "
-          + std::to_string(wireframe_.vertices.size()) + " vertices.";
+          + std::to_string(m_wireframe.vertices.size()) + " vertices.";
     if (curve.is_closed() && curve.source != curve.target)
       return "It is closed, but its source and its target differ.";
     if (!curve.is_closed() && (curve.source == Curve::no_vertex || curve.target == Curve::no_vertex))
@@ -183,15 +183,15 @@ private:
   std::string ends_problem(const Curve& curve) const
   {
     const double size = size_of(curve);
-    const Coordinates first = coordinates_of(curve.spline.control_points().front(), traits_);
-    const Coordinates last = coordinates_of(curve.spline.control_points().back(), traits_);
+    const Coordinates first = coordinates_of(curve.spline.control_points().front(), m_traits);
+    const Coordinates last = coordinates_of(curve.spline.control_points().back(), m_traits);
     if (curve.is_closed() && !are_close(first, last, 1e-6 * size))
       return "It is closed, but does not end where it starts.";
     if (curve.source != Curve::no_vertex
-        && !are_close(first, coordinates_of(wireframe_.vertices[curve.source], traits_), 1e-6 * size))
+        && !are_close(first, coordinates_of(m_wireframe.vertices[curve.source], m_traits), 1e-6 * size))
       return "It does not start at its source, vertex " + std::to_string(curve.source) + ".";
     if (curve.target != Curve::no_vertex
-        && !are_close(last, coordinates_of(wireframe_.vertices[curve.target], traits_), 1e-6 * size))
+        && !are_close(last, coordinates_of(m_wireframe.vertices[curve.target], m_traits), 1e-6 * size))
       return "It does not end at its target, vertex " + std::to_string(curve.target) + ".";
     return "";
   }
@@ -202,8 +202,8 @@ private:
       && std::abs(p[2] - q[2]) <= tolerance;
   }
 
-  const Wireframe& wireframe_;
-  const GeomTraits& traits_;
+  const Wireframe& m_wireframe;
+  const GeomTraits& m_traits;
 };
 
 } // namespace internal

@@ -32,40 +32,40 @@ namespace internal {
 class Chunked_cloud_reader
 {
 public:
-  const Sample_filter& filter() const { return filter_; }
-  const std::string& error() const { return error_; }
+  const Sample_filter& filter() const { return m_filter; }
+  const std::string& error() const { return m_error; }
 
 protected:
   // `kind` is what lines that are too long are too long for
   Chunked_cloud_reader(std::istream& stream, const std::string& filename, const Cloud_reader_options& options,
                        const char* kind)
-    : input_(stream), filename_(filename), options_(options), filter_(options), kind_(kind)
+    : m_input(stream), m_filename(filename), m_options(options), m_filter(options), m_kind(kind)
   {}
 
   bool fail(const std::string& error)
   {
-    error_ = error;
+    m_error = error;
     return false;
   }
 
   bool fail_at_line(const std::string& what)
   {
-    return fail(filename_ + ":" + std::to_string(input_.line_number()) + ": " + what);
+    return fail(m_filename + ":" + std::to_string(m_input.line_number()) + ": " + what);
   }
 
   bool fail_truncated(const std::string& where)
   {
-    if (!error_.empty())
+    if (!m_error.empty())
       return false;
-    return fail(filename_ + (input_.has_failed() ? ": reading failed " : ": is truncated: it ends ") + where
-                + (input_.has_failed() ? "" : "; get a complete copy of the file"));
+    return fail(m_filename + (m_input.has_failed() ? ": reading failed " : ": is truncated: it ends ") + where
+                + (m_input.has_failed() ? "" : "; get a complete copy of the file"));
   }
 
   // whether the file has content
   bool check_start()
   {
-    return input_.require(1) > 0
-      || fail(filename_ + ": " + (input_.has_failed() ? "cannot be read" : empty_file_text()));
+    return m_input.require(1) > 0
+      || fail(m_filename + ": " + (m_input.has_failed() ? "cannot be read" : empty_file_text()));
   }
 
   // the words of the next line that has some; what follows a # is left out if lines have comments
@@ -74,9 +74,10 @@ protected:
     std::string_view line;
     for (;;)
     {
-      const Chunked_input::Line_status status = input_.next_line(line);
+      const Chunked_input::Line_status status = m_input.next_line(line);
       if (status == Chunked_input::Line_status::TOO_LONG)
-        return fail(filename_ + ":" + std::to_string(input_.line_number() + 1) + ": the line is too long for " + kind_);
+        return fail(m_filename + ":" + std::to_string(m_input.line_number() + 1) + ": the line is too long for "
+                    + m_kind);
       if (status == Chunked_input::Line_status::END)
         return false;
       split_at_blanks(has_comments ? line.substr(0, line.find('#')) : line, words);
@@ -89,26 +90,26 @@ protected:
   template <class Sink>
   bool keep(Distance_sample sample, std::size_t line, Sink& sink)
   {
-    return !filter_(sample, line) || chunk_.add(sample, sink) || fail_as_stopped();
+    return !m_filter(sample, line) || m_chunk.add(sample, sink) || fail_as_stopped();
   }
 
   template <class Sink>
   bool flush(Sink& sink)
   {
-    return chunk_.flush(sink) || fail_as_stopped();
+    return m_chunk.flush(sink) || fail_as_stopped();
   }
 
-  Chunked_input input_;
-  std::string filename_;
-  const Cloud_reader_options& options_;
-  Sample_filter filter_;
-  std::string error_;
+  Chunked_input m_input;
+  std::string m_filename;
+  const Cloud_reader_options& m_options;
+  Sample_filter m_filter;
+  std::string m_error;
 
 private:
-  bool fail_as_stopped() { return fail(filename_ + ": " + Sample_chunk::stopped_text()); }
+  bool fail_as_stopped() { return fail(m_filename + ": " + Sample_chunk::stopped_text()); }
 
-  const char* kind_;
-  Sample_chunk chunk_;
+  const char* m_kind;
+  Sample_chunk m_chunk;
 };
 
 } // namespace internal

@@ -38,22 +38,22 @@ public:
 
   static constexpr std::size_t chunk_size = std::size_t(1) << 20;
 
-  explicit Chunked_input(std::istream& stream) : stream_(stream), buffer_(chunk_size) { find_size(); }
+  explicit Chunked_input(std::istream& stream) : m_stream(stream), m_buffer(chunk_size) { find_size(); }
 
   // makes `wanted` bytes (at most `chunk_size`) contiguous; returns how many there are, fewer only at the end
   std::size_t require(std::size_t wanted)
   {
-    if (end_ - begin_ < wanted && !at_end_)
+    if (m_end - m_begin < wanted && !m_at_end)
       refill();
-    return (std::min)(wanted, end_ - begin_);
+    return (std::min)(wanted, m_end - m_begin);
   }
 
-  const char* data() const { return buffer_.data() + begin_; }
+  const char* data() const { return m_buffer.data() + m_begin; }
 
   void consume(std::size_t count)
   {
-    begin_ += count;
-    consumed_ += count;
+    m_begin += count;
+    m_consumed += count;
   }
 
   // returns whether so many bytes were there to be skipped
@@ -80,64 +80,64 @@ public:
       {
         line = std::string_view(data(), line_size);
         consume(total_size);
-        ++line_number_;
+        ++m_line_number;
         return Line_status::LINE;
       }
-      if (at_end_)
+      if (m_at_end)
         return Line_status::END;
-      if (end_ - begin_ == chunk_size)
+      if (m_end - m_begin == chunk_size)
         return Line_status::TOO_LONG;
       refill();
     }
   }
 
   // number of the line that was handed out last, counted from 1
-  std::size_t line_number() const { return line_number_; }
+  std::size_t line_number() const { return m_line_number; }
 
   // whether the stream told its size; pipes do not
-  bool is_size_known() const { return is_size_known_; }
-  std::uint64_t size() const { return size_; }
-  std::uint64_t remaining() const { return size_ > consumed_ ? size_ - consumed_ : 0; }
-  std::uint64_t consumed() const { return consumed_; }
+  bool is_size_known() const { return m_is_size_known; }
+  std::uint64_t size() const { return m_size; }
+  std::uint64_t remaining() const { return m_size > m_consumed ? m_size - m_consumed : 0; }
+  std::uint64_t consumed() const { return m_consumed; }
 
   // whether reading stopped for another reason than the end of the file
-  bool has_failed() const { return has_failed_; }
+  bool has_failed() const { return m_has_failed; }
 
 private:
   void find_size()
   {
-    const std::istream::pos_type begin = stream_.tellg();
-    if (begin == std::istream::pos_type(-1) || !stream_.seekg(0, std::ios::end))
+    const std::istream::pos_type begin = m_stream.tellg();
+    if (begin == std::istream::pos_type(-1) || !m_stream.seekg(0, std::ios::end))
     {
-      stream_.clear();
+      m_stream.clear();
       return;
     }
-    const std::istream::pos_type end = stream_.tellg();
-    stream_.seekg(begin);
-    if (!stream_ || end == std::istream::pos_type(-1) || end < begin)
+    const std::istream::pos_type end = m_stream.tellg();
+    m_stream.seekg(begin);
+    if (!m_stream || end == std::istream::pos_type(-1) || end < begin)
     {
-      stream_.clear();
+      m_stream.clear();
       return;
     }
-    size_ = static_cast<std::uint64_t>(end - begin);
+    m_size = static_cast<std::uint64_t>(end - begin);
     // special files say zero and may still deliver
-    is_size_known_ = (size_ > 0);
+    m_is_size_known = (m_size > 0);
   }
 
   void refill()
   {
-    std::memmove(buffer_.data(), data(), end_ - begin_);
-    end_ -= begin_;
-    begin_ = 0;
-    stream_.read(buffer_.data() + end_, static_cast<std::streamsize>(chunk_size - end_));
-    end_ += static_cast<std::size_t>(stream_.gcount());
-    at_end_ = !stream_;
-    has_failed_ = stream_.bad();
+    std::memmove(m_buffer.data(), data(), m_end - m_begin);
+    m_end -= m_begin;
+    m_begin = 0;
+    m_stream.read(m_buffer.data() + m_end, static_cast<std::streamsize>(chunk_size - m_end));
+    m_end += static_cast<std::size_t>(m_stream.gcount());
+    m_at_end = !m_stream;
+    m_has_failed = m_stream.bad();
   }
 
   bool find_line_end(std::size_t& line_size, std::size_t& total_size) const
   {
-    const std::size_t available = end_ - begin_;
+    const std::size_t available = m_end - m_begin;
     if (available == 0)
       return false;
     const void* newline = std::memchr(data(), '\n', available);
@@ -146,7 +146,7 @@ private:
     if (carriage_return != nullptr)
     {
       line_size = std::size_t(static_cast<const char*>(carriage_return) - data());
-      if (line_size + 1 == available && !at_end_)
+      if (line_size + 1 == available && !m_at_end)
         return false;
       total_size = line_size + 1;
       if (total_size < available && data()[total_size] == '\n')
@@ -155,18 +155,18 @@ private:
     }
     line_size = limit;
     total_size = newline ? limit + 1 : limit;
-    return newline != nullptr || at_end_;
+    return newline != nullptr || m_at_end;
   }
 
-  std::istream& stream_;
-  std::vector<char> buffer_;
-  std::size_t begin_ = 0, end_ = 0;
-  std::size_t line_number_ = 0;
-  std::uint64_t consumed_ = 0;
-  std::uint64_t size_ = 0;
-  bool is_size_known_ = false;
-  bool at_end_ = false;
-  bool has_failed_ = false;
+  std::istream& m_stream;
+  std::vector<char> m_buffer;
+  std::size_t m_begin = 0, m_end = 0;
+  std::size_t m_line_number = 0;
+  std::uint64_t m_consumed = 0;
+  std::uint64_t m_size = 0;
+  bool m_is_size_known = false;
+  bool m_at_end = false;
+  bool m_has_failed = false;
 };
 
 } // namespace internal

@@ -33,22 +33,22 @@ namespace internal {
 class Hdf5_handle
 {
 public:
-  Hdf5_handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+  Hdf5_handle(hid_t id, herr_t (*close)(hid_t)) : m_id(id), m_close(close) {}
   Hdf5_handle(const Hdf5_handle&) = delete;
   Hdf5_handle& operator=(const Hdf5_handle&) = delete;
 
   ~Hdf5_handle()
   {
-    if (id_ >= 0)
-      close_(id_);
+    if (m_id >= 0)
+      m_close(m_id);
   }
 
-  bool is_valid() const { return id_ >= 0; }
-  hid_t get() const { return id_; }
+  bool is_valid() const { return m_id >= 0; }
+  hid_t get() const { return m_id; }
 
 private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
+  hid_t m_id;
+  herr_t (*m_close)(hid_t);
 };
 
 // As long as it is there, the HDF5 library does not print its errors; afterwards it does what it did before.
@@ -58,62 +58,62 @@ public:
   Hdf5_silence()
   {
     H5open();
-    H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
+    H5Eget_auto2(H5E_DEFAULT, &m_function, &m_data);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }
 
   Hdf5_silence(const Hdf5_silence&) = delete;
   Hdf5_silence& operator=(const Hdf5_silence&) = delete;
-  ~Hdf5_silence() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
+  ~Hdf5_silence() { H5Eset_auto2(H5E_DEFAULT, m_function, m_data); }
 
 private:
-  H5E_auto2_t function_ = nullptr;
-  void* data_ = nullptr;
+  H5E_auto2_t m_function = nullptr;
+  void* m_data = nullptr;
 };
 
 // The data sets of an HDF5 file.
 class Hdf5_file : public Array_file
 {
 public:
-  explicit Hdf5_file(const std::string& filename) : filename_(filename), file_(open_file(filename), &H5Fclose) {}
+  explicit Hdf5_file(const std::string& filename) : m_filename(filename), m_file(open_file(filename), &H5Fclose) {}
 
   bool open(std::string& error)
   {
-    if (!file_.is_valid())
+    if (!m_file.is_valid())
     {
       const std::string reason = reason_of_library();
-      error = filename_ + ": is no HDF5 file, or a truncated or damaged one"
+      error = m_filename + ": is no HDF5 file, or a truncated or damaged one"
         + (reason.empty() ? "" : " (" + reason + ")") + "; get a complete copy of the file";
       return false;
     }
-    collect_names(file_.get(), "", 0);
+    collect_names(m_file.get(), "", 0);
     return true;
   }
 
-  const std::string& filename() const override { return filename_; }
+  const std::string& filename() const override { return m_filename; }
   const char* word_for_array() const override { return "data set"; }
-  const std::vector<std::string>& names() const override { return names_; }
+  const std::vector<std::string>& names() const override { return m_names; }
 
   std::string contents_text() override
   {
     std::string text;
-    const std::size_t count = (std::min)(names_.size(), std::size_t(20));
+    const std::size_t count = (std::min)(m_names.size(), std::size_t(20));
     for (std::size_t i = 0; i < count; ++i)
     {
-      const Hdf5_handle dataset(H5Dopen2(file_.get(), names_[i].c_str(), H5P_DEFAULT), &H5Dclose);
+      const Hdf5_handle dataset(H5Dopen2(m_file.get(), m_names[i].c_str(), H5P_DEFAULT), &H5Dclose);
       std::vector<std::uint64_t> shape;
-      text += (text.empty() ? "" : ", ") + printable(names_[i]);
+      text += (text.empty() ? "" : ", ") + printable(m_names[i]);
       if (find_shape(dataset, shape))
         text += " (" + shape_text(shape) + ")";
     }
-    if (names_.size() > count)
-      text += " and " + std::to_string(names_.size() - count) + " more";
+    if (m_names.size() > count)
+      text += " and " + std::to_string(m_names.size() - count) + " more";
     return text.empty() ? "no data set at all" : text;
   }
 
   bool find_rows(const std::string& name, std::vector<std::uint64_t>& shape) override
   {
-    const Hdf5_handle dataset(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), &H5Dclose);
+    const Hdf5_handle dataset(H5Dopen2(m_file.get(), name.c_str(), H5P_DEFAULT), &H5Dclose);
     if (!find_shape(dataset, shape) || shape.empty())
       return false;
     const Hdf5_handle type(H5Dget_type(dataset.get()), &H5Tclose);
@@ -124,7 +124,7 @@ public:
   bool read_rows(const std::string& name, std::uint64_t first, std::uint64_t count, std::vector<double>& values,
                  std::string& error) override
   {
-    const Hdf5_handle dataset(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), &H5Dclose);
+    const Hdf5_handle dataset(H5Dopen2(m_file.get(), name.c_str(), H5P_DEFAULT), &H5Dclose);
     std::vector<std::uint64_t> shape;
     std::uint64_t size = 0;
     bool is_read = find_shape(dataset, shape) && !shape.empty() && find_number_of_values(shape, size);
@@ -136,7 +136,7 @@ public:
       });
     }
     if (!is_read)
-      error = filename_ + ": its data set " + quote(name) + " " + failed_at(first);
+      error = m_filename + ": its data set " + quote(name) + " " + failed_at(first);
     return is_read;
   }
 
@@ -144,7 +144,7 @@ public:
   {
     const std::string reason = read_dataset(name, array);
     if (!reason.empty())
-      error = filename_ + ": its data set " + quote(name) + " " + reason;
+      error = m_filename + ": its data set " + quote(name) + " " + reason;
     return reason.empty();
   }
 
@@ -177,9 +177,9 @@ private:
     H5G_info_t info;
     if (H5Gget_info(group, &info) < 0)
       return;
-    for (hsize_t i = 0; i < info.nlinks && number_of_visited_ < largest_number_of_objects; ++i)
+    for (hsize_t i = 0; i < info.nlinks && m_number_of_visited < largest_number_of_objects; ++i)
     {
-      ++number_of_visited_; // groups may contain each other
+      ++m_number_of_visited; // groups may contain each other
       char buffer[256];
       const ssize_t size =
         H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, buffer, sizeof(buffer), H5P_DEFAULT);
@@ -191,7 +191,7 @@ private:
         continue;
       const H5I_type_t type = H5Iget_type(object.get());
       if (type == H5I_DATASET)
-        names_.push_back(prefix + name);
+        m_names.push_back(prefix + name);
       else if (type == H5I_GROUP && depth < largest_depth)
         collect_names(object.get(), prefix + name + "/", depth + 1);
     }
@@ -222,7 +222,7 @@ private:
   std::uint64_t stored_size(hid_t dataset) const
   {
     hsize_t size_of_file = 0;
-    H5Fget_filesize(file_.get(), &size_of_file);
+    H5Fget_filesize(m_file.get(), &size_of_file);
     return (std::min)(std::uint64_t(H5Dget_storage_size(dataset)), std::uint64_t(size_of_file));
   }
 
@@ -236,7 +236,7 @@ private:
   // returns what went wrong, nothing if all went well
   std::string read_dataset(const std::string& name, Number_array& array)
   {
-    const Hdf5_handle dataset(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), &H5Dclose);
+    const Hdf5_handle dataset(H5Dopen2(m_file.get(), name.c_str(), H5P_DEFAULT), &H5Dclose);
     if (!find_shape(dataset, array.shape))
       return "cannot be opened: " + reason_of_library();
     const Hdf5_handle type(H5Dget_type(dataset.get()), &H5Tclose);
@@ -343,11 +343,11 @@ private:
     return std::string();
   }
 
-  Hdf5_silence silence_;
-  std::string filename_;
-  Hdf5_handle file_;
-  std::size_t number_of_visited_ = 0;
-  std::vector<std::string> names_;
+  Hdf5_silence m_silence;
+  std::string m_filename;
+  Hdf5_handle m_file;
+  std::size_t m_number_of_visited = 0;
+  std::vector<std::string> m_names;
 };
 
 } // namespace internal

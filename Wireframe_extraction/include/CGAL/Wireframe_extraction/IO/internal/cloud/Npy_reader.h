@@ -49,36 +49,36 @@ public:
 class File_bytes : public Byte_source
 {
 public:
-  explicit File_bytes(std::istream& stream) : stream_(stream), rest_((std::numeric_limits<std::uint64_t>::max)())
+  explicit File_bytes(std::istream& stream) : m_stream(stream), m_rest((std::numeric_limits<std::uint64_t>::max)())
   {
-    const std::istream::pos_type begin = stream_.tellg();
-    if (begin != std::istream::pos_type(-1) && stream_.seekg(0, std::ios::end))
+    const std::istream::pos_type begin = m_stream.tellg();
+    if (begin != std::istream::pos_type(-1) && m_stream.seekg(0, std::ios::end))
     {
-      const std::istream::pos_type end = stream_.tellg();
-      stream_.seekg(begin);
+      const std::istream::pos_type end = m_stream.tellg();
+      m_stream.seekg(begin);
       if (end > begin) // special files say zero and may still deliver
-        rest_ = static_cast<std::uint64_t>(end - begin);
+        m_rest = static_cast<std::uint64_t>(end - begin);
     }
-    stream_.clear();
+    m_stream.clear();
   }
 
   std::size_t read(char* target, std::size_t size) override
   {
-    stream_.read(target, static_cast<std::streamsize>(size));
-    if (stream_.bad())
-      error_ = "reading failed";
-    const std::size_t count = static_cast<std::size_t>(stream_.gcount());
-    rest_ -= (std::min)(rest_, std::uint64_t(count));
+    m_stream.read(target, static_cast<std::streamsize>(size));
+    if (m_stream.bad())
+      m_error = "reading failed";
+    const std::size_t count = static_cast<std::size_t>(m_stream.gcount());
+    m_rest -= (std::min)(m_rest, std::uint64_t(count));
     return count;
   }
 
-  std::uint64_t largest_rest() const override { return rest_; }
-  const std::string& error() const override { return error_; }
+  std::uint64_t largest_rest() const override { return m_rest; }
+  const std::string& error() const override { return m_error; }
 
 private:
-  std::istream& stream_;
-  std::uint64_t rest_;
-  std::string error_;
+  std::istream& m_stream;
+  std::uint64_t m_rest;
+  std::string m_error;
 };
 
 // The header of a .npy file: a Python dictionary with exactly three entries.
@@ -93,7 +93,7 @@ public:
   // returns what is wrong with it, nothing if all is well
   std::string parse(std::string_view text)
   {
-    text_ = text;
+    m_text = text;
     bool has_type = false, has_order = false, has_shape = false;
     if (!accept('{'))
       return malformed();
@@ -125,16 +125,16 @@ private:
 
   char next()
   {
-    while (!text_.empty() && (is_blank(text_.front()) || text_.front() == '\n'))
-      text_.remove_prefix(1);
-    return text_.empty() ? '\0' : text_.front();
+    while (!m_text.empty() && (is_blank(m_text.front()) || m_text.front() == '\n'))
+      m_text.remove_prefix(1);
+    return m_text.empty() ? '\0' : m_text.front();
   }
 
   bool accept(char c)
   {
     if (next() != c)
       return false;
-    text_.remove_prefix(1);
+    m_text.remove_prefix(1);
     return true;
   }
 
@@ -143,11 +143,11 @@ private:
     const char mark = next();
     if (mark != '\'' && mark != '"')
       return false;
-    const std::size_t end = text_.find(mark, 1);
+    const std::size_t end = m_text.find(mark, 1);
     if (end == std::string_view::npos)
       return false;
-    value = std::string(text_.substr(1, end - 1));
-    text_.remove_prefix(end + 1);
+    value = std::string(m_text.substr(1, end - 1));
+    m_text.remove_prefix(end + 1);
     return true;
   }
 
@@ -175,10 +175,10 @@ private:
   {
     next();
     for (const char* const word : {"True", "False"})
-      if (starts_with(text_, word))
+      if (starts_with(m_text, word))
       {
         is_fortran_order = (word[0] == 'T');
-        text_.remove_prefix(std::string_view(word).size());
+        m_text.remove_prefix(std::string_view(word).size());
         return std::string();
       }
     return malformed();
@@ -191,26 +191,26 @@ private:
     while (!accept(')'))
     {
       next();
-      const std::size_t end = (std::min)(text_.find_first_not_of("0123456789"), text_.size());
+      const std::size_t end = (std::min)(m_text.find_first_not_of("0123456789"), m_text.size());
       std::uint64_t count = 0;
-      if (!parse_count(text_.substr(0, end), count) || shape.size() == 32)
+      if (!parse_count(m_text.substr(0, end), count) || shape.size() == 32)
         return malformed();
       shape.push_back(count);
-      text_.remove_prefix(end);
+      m_text.remove_prefix(end);
       if (!accept(',') && next() != ')')
         return malformed();
     }
     return std::string();
   }
 
-  std::string_view text_;
+  std::string_view m_text;
 };
 
 // Reads what numpy.save() writes. Memory goes to what is there, not to what the header promises.
 class Npy_reader
 {
 public:
-  Npy_reader(Byte_source& source, const std::string& name) : source_(source), name_(name) {}
+  Npy_reader(Byte_source& source, const std::string& name) : m_source(source), m_name(name) {}
 
   bool read(Number_array& array)
   {
@@ -218,45 +218,45 @@ public:
     std::uint64_t count = 0;
     if (!read_header(header))
       return false;
-    if (!find_number_of_values(header.shape, count) || count > source_.largest_rest() / header.size)
+    if (!find_number_of_values(header.shape, count) || count > m_source.largest_rest() / header.size)
       return fail("its header promises the shape " + shape_text(header.shape) + " of " + std::to_string(8 * header.size)
-                  + " bit numbers, but it has at most " + std::to_string(source_.largest_rest())
+                  + " bit numbers, but it has at most " + std::to_string(m_source.largest_rest())
                   + " bytes after the header: it is truncated or its header "
                     "is wrong; get a complete copy of the file");
     array.shape = header.shape;
     if (!read_values(header, count, array.values))
       return false;
     char byte;
-    if (source_.read(&byte, 1) != 0)
+    if (m_source.read(&byte, 1) != 0)
       return fail("holds more than the shape " + shape_text(header.shape) + " that its header promises");
-    if (!source_.error().empty())
-      return fail(source_.error());
+    if (!m_source.error().empty())
+      return fail(m_source.error());
     if (header.is_fortran_order)
       reorder(array);
     return true;
   }
 
-  const std::string& error() const { return error_; }
+  const std::string& error() const { return m_error; }
 
 private:
   bool fail(const std::string& what)
   {
-    error_ = name_ + ": " + what;
+    m_error = m_name + ": " + what;
     return false;
   }
 
   bool fail_truncated(const std::string& where)
   {
-    return fail(!source_.error().empty() ? source_.error()
-                                         : "is truncated: it ends " + where + "; get a complete copy of the file");
+    return fail(!m_source.error().empty() ? m_source.error()
+                                          : "is truncated: it ends " + where + "; get a complete copy of the file");
   }
 
   bool read_header(Npy_header& header)
   {
     char start[12];
-    const std::size_t size = source_.read(start, 8);
+    const std::size_t size = m_source.read(start, 8);
     if (size == 0)
-      return source_.error().empty() ? fail(empty_file_text()) : fail(source_.error());
+      return m_source.error().empty() ? fail(empty_file_text()) : fail(m_source.error());
     if (std::string_view(start, (std::min)(size, std::size_t(6))) != std::string_view("\x93NUMPY", 6))
       return fail("is no NumPy file: it starts with " + quote(std::string_view(start, size))
                   + "; numpy.save() writes one");
@@ -266,14 +266,14 @@ private:
     if (version < 1 || version > 3)
       return fail("has version " + std::to_string(version) + " of the format; versions 1 to 3 are known");
     const std::size_t number_of_length_bytes = (version == 1) ? 2 : 4;
-    if (source_.read(start + 8, number_of_length_bytes) < number_of_length_bytes)
+    if (m_source.read(start + 8, number_of_length_bytes) < number_of_length_bytes)
       return fail_truncated("in its header");
     const std::size_t length =
       (version == 1) ? load_little_endian<std::uint16_t>(start + 8) : load_little_endian<std::uint32_t>(start + 8);
     if (length > largest_header)
       return fail("its header is " + std::to_string(length) + " bytes long, which no header of an array of numbers is");
     std::string text(length, '\0');
-    if (source_.read(&text[0], length) < length)
+    if (m_source.read(&text[0], length) < length)
       return fail_truncated("in its header");
     const std::string error = header.parse(text);
     return error.empty() || fail(error);
@@ -286,7 +286,7 @@ private:
     for (std::uint64_t done = 0; done < count;)
     {
       const std::size_t wanted = static_cast<std::size_t>((std::min)(count - done, std::uint64_t(values_per_chunk)));
-      const std::size_t there = source_.read(bytes.data(), wanted * header.size) / header.size;
+      const std::size_t there = m_source.read(bytes.data(), wanted * header.size) / header.size;
       for (std::size_t i = 0; i < there; ++i)
         values.push_back(load_number(header.kind, header.size, bytes.data() + i * header.size, header.is_swapped));
       done += there;
@@ -316,9 +316,9 @@ private:
 
   static constexpr std::size_t largest_header = std::size_t(1) << 20;
 
-  Byte_source& source_;
-  std::string name_;
-  std::string error_;
+  Byte_source& m_source;
+  std::string m_name;
+  std::string m_error;
 };
 
 } // namespace internal

@@ -44,10 +44,10 @@ public:
   void add(const char* bytes, std::size_t size)
   {
     for (std::size_t i = 0; i < size; ++i)
-      sum_ = table()[(sum_ ^ static_cast<unsigned char>(bytes[i])) & 0xFFu] ^ (sum_ >> 8);
+      m_sum = table()[(m_sum ^ static_cast<unsigned char>(bytes[i])) & 0xFFu] ^ (m_sum >> 8);
   }
 
-  std::uint32_t value() const { return ~sum_; }
+  std::uint32_t value() const { return ~m_sum; }
 
 private:
   static const std::array<std::uint32_t, 256>& table()
@@ -65,7 +65,7 @@ private:
     return values;
   }
 
-  std::uint32_t sum_ = 0xFFFFFFFFu;
+  std::uint32_t m_sum = 0xFFFFFFFFu;
 };
 
 struct Zip_entry
@@ -83,21 +83,21 @@ public:
   static constexpr unsigned stored = 0, deflated = 8;
 
   // the stream stands at the first byte
-  Zip_bytes(std::istream& stream, const Zip_entry& entry) : stream_(stream), entry_(entry)
+  Zip_bytes(std::istream& stream, const Zip_entry& entry) : m_stream(stream), m_entry(entry)
   {
-    compressed_rest_ = entry.compressed_size;
+    m_compressed_rest = entry.compressed_size;
     // deflation makes data smaller by a factor of 1032 at best
-    rest_ =
+    m_rest =
       entry.method == stored ? entry.compressed_size : (std::min)(entry.size, 1032 * entry.compressed_size + 1032);
 #ifdef CGAL_WIREFRAME_EXTRACTION_USE_ZLIB
-    inflater_.next_in = Z_NULL;
-    inflater_.avail_in = 0;
-    inflater_.zalloc = Z_NULL;
-    inflater_.zfree = Z_NULL;
-    inflater_.opaque = Z_NULL;
-    has_inflater_ = entry.method == deflated && inflateInit2(&inflater_, -15) == Z_OK;
-    if (entry.method == deflated && !has_inflater_)
-      error_ = "zlib cannot be started";
+    m_inflater.next_in = Z_NULL;
+    m_inflater.avail_in = 0;
+    m_inflater.zalloc = Z_NULL;
+    m_inflater.zfree = Z_NULL;
+    m_inflater.opaque = Z_NULL;
+    m_has_inflater = entry.method == deflated && inflateInit2(&m_inflater, -15) == Z_OK;
+    if (entry.method == deflated && !m_has_inflater)
+      m_error = "zlib cannot be started";
 #endif
   }
 
@@ -107,36 +107,36 @@ public:
   ~Zip_bytes() override
   {
 #ifdef CGAL_WIREFRAME_EXTRACTION_USE_ZLIB
-    if (has_inflater_)
-      inflateEnd(&inflater_);
+    if (m_has_inflater)
+      inflateEnd(&m_inflater);
 #endif
   }
 
   std::size_t read(char* target, std::size_t size) override
   {
-    if (!error_.empty() || size == 0)
+    if (!m_error.empty() || size == 0)
       return 0;
-    const std::size_t count = (entry_.method == stored) ? read_raw(target, size) : inflate_into(target, size);
-    sum_.add(target, count);
-    done_ += count;
-    rest_ -= (std::min)(rest_, std::uint64_t(count));
-    if (count < size && error_.empty())
+    const std::size_t count = (m_entry.method == stored) ? read_raw(target, size) : inflate_into(target, size);
+    m_sum.add(target, count);
+    m_done += count;
+    m_rest -= (std::min)(m_rest, std::uint64_t(count));
+    if (count < size && m_error.empty())
       check_end();
     return count;
   }
 
-  std::uint64_t largest_rest() const override { return rest_; }
-  const std::string& error() const override { return error_; }
+  std::uint64_t largest_rest() const override { return m_rest; }
+  const std::string& error() const override { return m_error; }
 
 private:
   std::size_t read_raw(char* target, std::size_t size)
   {
-    const std::size_t wanted = static_cast<std::size_t>((std::min)(compressed_rest_, std::uint64_t(size)));
-    stream_.read(target, static_cast<std::streamsize>(wanted));
-    const std::size_t count = static_cast<std::size_t>(stream_.gcount());
+    const std::size_t wanted = static_cast<std::size_t>((std::min)(m_compressed_rest, std::uint64_t(size)));
+    m_stream.read(target, static_cast<std::streamsize>(wanted));
+    const std::size_t count = static_cast<std::size_t>(m_stream.gcount());
     if (count < wanted)
-      error_ = "is truncated: the archive ends before it does; get a complete copy of the file";
-    compressed_rest_ -= count;
+      m_error = "is truncated: the archive ends before it does; get a complete copy of the file";
+    m_compressed_rest -= count;
     return count;
   }
 
@@ -144,84 +144,84 @@ private:
   std::size_t inflate_into(char* target, std::size_t size)
   {
     std::size_t done = 0;
-    while (done < size && !is_at_end_)
+    while (done < size && !m_is_at_end)
     {
-      if (inflater_.avail_in == 0)
+      if (m_inflater.avail_in == 0)
       {
-        inflater_.avail_in = static_cast<uInt>(read_raw(input_.data(), input_.size()));
-        inflater_.next_in = reinterpret_cast<Bytef*>(input_.data());
-        if (inflater_.avail_in == 0)
+        m_inflater.avail_in = static_cast<uInt>(read_raw(m_input.data(), m_input.size()));
+        m_inflater.next_in = reinterpret_cast<Bytef*>(m_input.data());
+        if (m_inflater.avail_in == 0)
         {
-          if (error_.empty())
-            error_ = "its compressed data ends too early: the file is damaged; get a complete copy of it";
+          if (m_error.empty())
+            m_error = "its compressed data ends too early: the file is damaged; get a complete copy of it";
           return done;
         }
       }
       const std::size_t step = (std::min)(size - done, std::size_t(1) << 20);
-      inflater_.next_out = reinterpret_cast<Bytef*>(target + done);
-      inflater_.avail_out = static_cast<uInt>(step);
-      const int status = inflate(&inflater_, Z_NO_FLUSH);
-      done += step - inflater_.avail_out;
-      is_at_end_ = (status == Z_STREAM_END);
+      m_inflater.next_out = reinterpret_cast<Bytef*>(target + done);
+      m_inflater.avail_out = static_cast<uInt>(step);
+      const int status = inflate(&m_inflater, Z_NO_FLUSH);
+      done += step - m_inflater.avail_out;
+      m_is_at_end = (status == Z_STREAM_END);
       if (status != Z_OK && status != Z_STREAM_END && status != Z_BUF_ERROR)
       {
-        error_ = "its compressed data is damaged; get a complete copy of the file";
+        m_error = "its compressed data is damaged; get a complete copy of the file";
         return done;
       }
     }
     return done;
   }
 
-  std::array<char, 65536> input_;
-  z_stream inflater_;
-  bool has_inflater_ = false, is_at_end_ = false;
+  std::array<char, 65536> m_input;
+  z_stream m_inflater;
+  bool m_has_inflater = false, m_is_at_end = false;
 #else
   std::size_t inflate_into(char*, std::size_t) { return 0; } // such entries are refused before
 #endif
 
   void check_end()
   {
-    if (done_ != entry_.size || sum_.value() != entry_.check_sum)
-      error_ = "its data is not what its check sum says: the file is damaged; get a complete copy of it";
+    if (m_done != m_entry.size || m_sum.value() != m_entry.check_sum)
+      m_error = "its data is not what its check sum says: the file is damaged; get a complete copy of it";
   }
 
-  std::istream& stream_;
-  const Zip_entry& entry_;
-  std::uint64_t compressed_rest_ = 0, rest_ = 0, done_ = 0;
-  Cyclic_redundancy_check sum_;
-  std::string error_;
+  std::istream& m_stream;
+  const Zip_entry& m_entry;
+  std::uint64_t m_compressed_rest = 0, m_rest = 0, m_done = 0;
+  Cyclic_redundancy_check m_sum;
+  std::string m_error;
 };
 
 // The arrays that numpy.savez() and numpy.savez_compressed() write: a ZIP archive of .npy files.
 class Npz_file : public Array_file
 {
 public:
-  Npz_file(std::istream& stream, const std::string& filename) : stream_(stream), filename_(filename) {}
+  Npz_file(std::istream& stream, const std::string& filename) : m_stream(stream), m_filename(filename) {}
 
   bool open(std::string& error)
   {
     const std::string reason = read_directory();
     if (!reason.empty())
-      error = filename_ + ": " + reason;
+      error = m_filename + ": " + reason;
     return reason.empty();
   }
 
-  const std::string& filename() const override { return filename_; }
+  const std::string& filename() const override { return m_filename; }
   const char* word_for_array() const override { return "array"; }
-  const std::vector<std::string>& names() const override { return names_; }
-  std::string contents_text() override { return join(names_); }
+  const std::vector<std::string>& names() const override { return m_names; }
+  std::string contents_text() override { return join(m_names); }
 
   bool read(const std::string& name, Number_array& array, std::string& error) override
   {
-    const Zip_entry& entry = entries_[find_name(names_, name)];
-    const std::string full_name = filename_ + ": array " + quote(name);
+    const Zip_entry& entry = m_entries[find_name(m_names, name)];
+    const std::string full_name = m_filename + ": array " + quote(name);
     const std::string reason = go_to(entry);
     if (!reason.empty())
     {
       error = full_name + ": " + reason;
       return false;
     }
-    Zip_bytes bytes(stream_, entry);
+    Zip_bytes bytes(m_stream, entry);
     Npy_reader reader(bytes, full_name);
     const bool is_read = reader.read(array);
     error = reader.error();
@@ -235,12 +235,12 @@ private:
 
   bool read_at(std::uint64_t offset, std::uint64_t size, std::string& bytes)
   {
-    if (offset > file_size_ || size > file_size_ - offset)
+    if (offset > m_file_size || size > m_file_size - offset)
       return false;
     bytes.resize(static_cast<std::size_t>(size));
-    stream_.clear();
-    stream_.seekg(static_cast<std::streamoff>(offset));
-    return static_cast<bool>(stream_.read(&bytes[0], static_cast<std::streamsize>(size)));
+    m_stream.clear();
+    m_stream.seekg(static_cast<std::streamoff>(offset));
+    return static_cast<bool>(m_stream.read(&bytes[0], static_cast<std::streamsize>(size)));
   }
 
   template <class Unsigned>
@@ -251,16 +251,16 @@ private:
 
   std::string read_directory()
   {
-    stream_.seekg(0, std::ios::end);
-    const std::istream::pos_type end = stream_.tellg();
-    if (!stream_ || end == std::istream::pos_type(-1))
+    m_stream.seekg(0, std::ios::end);
+    const std::istream::pos_type end = m_stream.tellg();
+    if (!m_stream || end == std::istream::pos_type(-1))
       return "is no file in which one can go back, as the .npz format needs it";
-    file_size_ = static_cast<std::uint64_t>(end);
-    if (file_size_ == 0)
+    m_file_size = static_cast<std::uint64_t>(end);
+    if (m_file_size == 0)
       return empty_file_text();
-    const std::uint64_t tail_size = (std::min)(file_size_, std::uint64_t(end_size + longest_comment));
+    const std::uint64_t tail_size = (std::min)(m_file_size, std::uint64_t(end_size + longest_comment));
     std::string tail;
-    if (!read_at(file_size_ - tail_size, tail_size, tail))
+    if (!read_at(m_file_size - tail_size, tail_size, tail))
       return "reading failed";
     const std::size_t position = tail.rfind("PK\5\6");
     if (position == std::string::npos || tail.size() - position < end_size)
@@ -270,7 +270,7 @@ private:
     std::uint64_t size = number_at<std::uint32_t>(tail, position + 12);
     std::uint64_t offset = number_at<std::uint32_t>(tail, position + 16);
     if ((count == 0xFFFFu || size == 0xFFFFFFFFu || offset == 0xFFFFFFFFu)
-        && !read_large_end(file_size_ - tail_size + position, count, size, offset))
+        && !read_large_end(m_file_size - tail_size + position, count, size, offset))
       return damaged();
     std::string directory;
     if (!read_at(offset, size, directory) || count > size / entry_size)
@@ -315,12 +315,12 @@ private:
       if (!read_large_sizes(directory.substr(position + name_size, extra_size), entry))
         return damaged();
       position += name_size + extra_size + comment_size;
-      if (entry.compressed_size > file_size_)
+      if (entry.compressed_size > m_file_size)
         return damaged();
       if (!ends_with(entry.name, ".npy"))
         continue; // no array
-      entries_.push_back(entry);
-      names_.push_back(entry.name.substr(0, entry.name.size() - 4));
+      m_entries.push_back(entry);
+      m_names.push_back(entry.name.substr(0, entry.name.size() - 4));
     }
     return std::string();
   }
@@ -369,18 +369,18 @@ private:
       return damaged();
     const std::uint64_t begin =
       entry.offset + 30 + number_at<std::uint16_t>(header, 26) + number_at<std::uint16_t>(header, 28);
-    if (begin > file_size_ || entry.compressed_size > file_size_ - begin)
+    if (begin > m_file_size || entry.compressed_size > m_file_size - begin)
       return "is truncated: the archive ends before it does; get a complete copy of the file";
-    stream_.clear();
-    stream_.seekg(static_cast<std::streamoff>(begin));
-    return stream_ ? std::string() : std::string("reading failed");
+    m_stream.clear();
+    m_stream.seekg(static_cast<std::streamoff>(begin));
+    return m_stream ? std::string() : std::string("reading failed");
   }
 
-  std::istream& stream_;
-  std::string filename_;
-  std::uint64_t file_size_ = 0;
-  std::vector<Zip_entry> entries_;
-  std::vector<std::string> names_;
+  std::istream& m_stream;
+  std::string m_filename;
+  std::uint64_t m_file_size = 0;
+  std::vector<Zip_entry> m_entries;
+  std::vector<std::string> m_names;
 };
 
 } // namespace internal

@@ -95,13 +95,13 @@ inline const std::vector<std::string>& known_index_names()
 class Array_cloud_reader
 {
 public:
-  explicit Array_cloud_reader(const Cloud_reader_options& options) : options_(options), filter_(options) {}
+  explicit Array_cloud_reader(const Cloud_reader_options& options) : m_options(options), m_filter(options) {}
 
   template <class Sink>
   bool read(Array_file& file, Sink& sink)
   {
     const std::string word = file.word_for_array();
-    const std::string points_name = options_.points_dataset.empty() ? "points" : options_.points_dataset;
+    const std::string points_name = m_options.points_dataset.empty() ? "points" : m_options.points_dataset;
     const std::size_t points_index = find_name(file.names(), points_name);
     if (points_index == file.names().size())
       return fail(file.filename() + ": has no " + word + " " + quote(points_name) + "; it has: " + file.contents_text()
@@ -110,12 +110,12 @@ public:
     if (find_rows(file, file.names()[points_index], rows))
       return read_by_rows(file, rows, sink);
     Number_array points, distances, indices;
-    if (!file.read(file.names()[points_index], points, error_))
+    if (!file.read(file.names()[points_index], points, m_error))
       return false;
     const std::string points_word = word + " " + quote(file.names()[points_index]);
     if (!set_points(file.filename(), points_word, points, 3))
       return false;
-    if (options_.distances == nullptr && !read_distances(file, points, points_word, distances))
+    if (m_options.distances == nullptr && !read_distances(file, points, points_word, distances))
       return false;
     return read_indices(file, points, points_word, indices)
       && hand_out(file.filename(), points, distances, indices, sink);
@@ -128,15 +128,15 @@ public:
     const bool has_distances = !points.shape.empty() && points.shape.back() == 4;
     if (!set_points(filename, "array", points, has_distances ? 4 : 3))
       return false;
-    if (!has_distances && options_.distances == nullptr)
+    if (!has_distances && m_options.distances == nullptr)
       return fail(filename + ": its array has the shape " + shape_text(points)
                   + ", so it has points but no distances; give the distances as a separate file, or as a fourth "
                     "column, or both arrays in one .npz file");
     return hand_out(filename, points, Number_array(), Number_array(), sink);
   }
 
-  const Sample_filter& filter() const { return filter_; }
-  const std::string& error() const { return error_; }
+  const Sample_filter& filter() const { return m_filter; }
+  const std::string& error() const { return m_error; }
 
   // the name that the distances have in a file: the one wanted, else the first known one that is there
   static bool find_distances(const Array_file& file, const Cloud_reader_options& options, std::size_t& index)
@@ -160,14 +160,14 @@ public:
 private:
   bool fail(const std::string& error)
   {
-    error_ = error;
+    m_error = error;
     return false;
   }
 
   bool set_points(const std::string& filename, const std::string& word, const Number_array& points,
                   std::size_t number_of_columns)
   {
-    number_of_columns_ = number_of_columns;
+    m_number_of_columns = number_of_columns;
     bool is_fine = false;
     if (points.is_ragged)
       is_fine =
@@ -180,7 +180,7 @@ private:
                   + "; points have the shape N x 3, or in patches B x N x 3"
                   + (word == "array" ? ", or with their distances N x 4"
                                      : ". Name the one that holds the points (points_dataset)"));
-    number_of_points_ = points.values.size() / number_of_columns;
+    m_number_of_points = points.values.size() / number_of_columns;
     return true;
   }
 
@@ -196,17 +196,17 @@ private:
   {
     std::vector<std::uint64_t> shape, distances_shape;
     std::uint64_t number_of_values;
-    if (options_.reads_indices || !file.find_rows(points_name, shape) || (shape.size() != 2 && shape.size() != 3)
+    if (m_options.reads_indices || !file.find_rows(points_name, shape) || (shape.size() != 2 && shape.size() != 3)
         || shape.back() != 3 || !find_number_of_values(shape, number_of_values))
       return false;
     rows.points = points_name;
     rows.count = shape.front();
     shape.pop_back();
     rows.points_per_row = shape.size() == 2 ? shape.back() : 1;
-    if (options_.distances != nullptr)
+    if (m_options.distances != nullptr)
       return true;
     std::size_t index;
-    if (!find_distances(file, options_, index) || !file.find_rows(file.names()[index], distances_shape))
+    if (!find_distances(file, m_options, index) || !file.find_rows(file.names()[index], distances_shape))
       return false;
     rows.distances = file.names()[index];
     if (distances_shape.size() == shape.size() + 1 && distances_shape.back() == 1)
@@ -224,14 +224,14 @@ private:
     for (std::uint64_t first = 0; first < rows.count; first += step)
     {
       const std::uint64_t count = (std::min)(step, rows.count - first);
-      if (!file.read_rows(rows.points, first, count, points.values, error_)
-          || (!rows.distances.empty() && !file.read_rows(rows.distances, first, count, distances.values, error_)))
+      if (!file.read_rows(rows.points, first, count, points.values, m_error)
+          || (!rows.distances.empty() && !file.read_rows(rows.distances, first, count, distances.values, m_error)))
         return false;
-      number_of_points_ = points.values.size() / 3;
+      m_number_of_points = points.values.size() / 3;
       if (!hand_out_some(file.filename(), points, distances, Number_array(), sink))
         return false;
     }
-    return filter_.is_cloud_usable(file.filename(), error_);
+    return m_filter.is_cloud_usable(file.filename(), m_error);
   }
 
   // whether an array has one number per point
@@ -263,20 +263,20 @@ private:
                       Number_array& distances)
   {
     std::size_t index;
-    if (!find_distances(file, options_, index))
-      return fail(no_distances_text(file, options_));
+    if (!find_distances(file, m_options, index))
+      return fail(no_distances_text(file, m_options));
     const std::string& name = file.names()[index];
-    if (!file.read(name, distances, error_))
+    if (!file.read(name, distances, m_error))
       return false;
-    return is_one_per_point(distances, points, number_of_points_)
+    return is_one_per_point(distances, points, m_number_of_points)
       || fail(mismatch_text(file, name, distances, points_word, points, "distance", "distances_dataset"));
   }
 
   bool read_indices(Array_file& file, const Number_array& points, const std::string& points_word, Number_array& indices)
   {
-    if (!options_.reads_indices)
+    if (!m_options.reads_indices)
       return true;
-    const std::string& wanted = options_.indices_dataset;
+    const std::string& wanted = m_options.indices_dataset;
     std::size_t index = file.names().size();
     if (!wanted.empty())
       index = find_name(file.names(), wanted);
@@ -289,9 +289,9 @@ private:
         || fail(file.filename() + ": has no " + file.word_for_array() + " " + quote(wanted)
                 + "; it has: " + file.contents_text() + ". Name the one that holds the indices (indices_dataset)");
     const std::string& name = file.names()[index];
-    if (!file.read(name, indices, error_))
+    if (!file.read(name, indices, m_error))
       return false;
-    if (!is_one_per_point(indices, points, number_of_points_))
+    if (!is_one_per_point(indices, points, m_number_of_points))
       return fail(mismatch_text(file, name, indices, points_word, points, "index", "indices_dataset"));
     for (std::size_t i = 0; i < indices.values.size(); ++i)
       if (!(indices.values[i] >= 0. && indices.values[i] <= 9e15) || indices.values[i] != std::floor(indices.values[i]))
@@ -305,7 +305,7 @@ private:
   bool hand_out(const std::string& filename, const Number_array& points, const Number_array& distances,
                 const Number_array& indices, Sink& sink)
   {
-    return hand_out_some(filename, points, distances, indices, sink) && filter_.is_cloud_usable(filename, error_);
+    return hand_out_some(filename, points, distances, indices, sink) && m_filter.is_cloud_usable(filename, m_error);
   }
 
   template <class Sink>
@@ -314,24 +314,24 @@ private:
   {
     const std::string stopped = filename + ": " + Sample_chunk::stopped_text();
     Sample_chunk chunk;
-    for (std::size_t i = 0; i < number_of_points_; ++i)
+    for (std::size_t i = 0; i < m_number_of_points; ++i)
     {
-      const double* const p = points.values.data() + i * number_of_columns_;
-      Distance_sample sample = {p[0], p[1], p[2], number_of_columns_ == 4 ? p[3] : 0.};
+      const double* const p = points.values.data() + i * m_number_of_columns;
+      Distance_sample sample = {p[0], p[1], p[2], m_number_of_columns == 4 ? p[3] : 0.};
       if (!distances.values.empty())
         sample.distance = distances.values[i];
       if (!indices.values.empty())
         sample.index = static_cast<std::uint64_t>(indices.values[i]);
-      if (filter_(sample, 0) && !chunk.add(sample, sink))
+      if (m_filter(sample, 0) && !chunk.add(sample, sink))
         return fail(stopped);
     }
     return chunk.flush(sink) || fail(stopped);
   }
 
-  const Cloud_reader_options& options_;
-  Sample_filter filter_;
-  std::size_t number_of_columns_ = 3, number_of_points_ = 0;
-  std::string error_;
+  const Cloud_reader_options& m_options;
+  Sample_filter m_filter;
+  std::size_t m_number_of_columns = 3, m_number_of_points = 0;
+  std::string m_error;
 };
 
 } // namespace internal

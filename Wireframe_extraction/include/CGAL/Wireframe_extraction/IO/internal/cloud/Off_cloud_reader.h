@@ -53,7 +53,7 @@ public:
       if (!read_vertex(words, sink))
         return false;
     }
-    return flush(sink) && filter_.is_cloud_usable(filename_, error_);
+    return flush(sink) && m_filter.is_cloud_usable(m_filename, m_error);
   }
 
   using Chunked_cloud_reader::filter;
@@ -90,14 +90,14 @@ private:
     if (!parse_count(words[0], count) || words.size() > 3)
       return fail_at_line("the numbers of vertices, faces and edges are expected, found " + quote(words[0])
                           + "; write them there");
-    if (options_.distances == nullptr)
-      return fail(filename_
+    if (m_options.distances == nullptr)
+      return fail(m_filename
                   + ": an OFF file has no distances; give them as a separate file, one per vertex, or "
                     "write a PLY file with a property of the vertices for them");
     // a vertex takes at least six bytes
-    if (input_.is_size_known() && count > input_.remaining() / 6 + 1)
-      return fail(filename_ + ": its header promises " + std::to_string(count) + " vertices, which "
-                  + std::to_string(input_.remaining())
+    if (m_input.is_size_known() && count > m_input.remaining() / 6 + 1)
+      return fail(m_filename + ": its header promises " + std::to_string(count) + " vertices, which "
+                  + std::to_string(m_input.remaining())
                   + " bytes cannot hold: it is truncated or its header is "
                     "wrong; get a complete copy of the file");
     return true;
@@ -113,7 +113,7 @@ private:
     for (std::size_t i = 0; i < 3; ++i)
       if (!parse_number(words[i], values[i]))
         return fail_at_line("a coordinate is " + no_number_text(words[i]));
-    return keep({values[0], values[1], values[2], 0.}, input_.line_number(), sink);
+    return keep({values[0], values[1], values[2], 0.}, m_input.line_number(), sink);
   }
 };
 

@@ -66,25 +66,25 @@ public:
   {
     if (!check_start())
       return false;
-    if (!header_.read(input_, filename_, error_))
+    if (!m_header.read(m_input, m_filename, m_error))
       return false;
-    vertex_element_ = header_.find_element("vertex");
-    if (vertex_element_ == header_.elements.size())
-      return fail(filename_ + ": its PLY header has no element \"vertex\"; it has: " + join(header_.element_names()));
+    m_vertex_element = m_header.find_element("vertex");
+    if (m_vertex_element == m_header.elements.size())
+      return fail(m_filename + ": its PLY header has no element \"vertex\"; it has: " + join(m_header.element_names()));
     if (!find_wanted_properties())
       return false;
-    const bool is_little_endian = (header_.format == Ply_format::BINARY_LITTLE_ENDIAN);
-    swaps_bytes_ = is_binary() && is_little_endian != is_host_little_endian();
+    const bool is_little_endian = (m_header.format == Ply_format::BINARY_LITTLE_ENDIAN);
+    m_swaps_bytes = is_binary() && is_little_endian != is_host_little_endian();
     return !is_binary() || is_size_plausible();
   }
 
   // number of points the header promises
-  std::uint64_t number_of_vertices() const { return header_.elements[vertex_element_].count; }
+  std::uint64_t number_of_vertices() const { return m_header.elements[m_vertex_element].count; }
 
   // number of points that can be reserved: what the header promises if the size of the file supports it
   std::size_t trusted_number_of_vertices() const
   {
-    return (is_binary() && input_.is_size_known()) ? static_cast<std::size_t>(number_of_vertices()) : 0;
+    return (is_binary() && m_input.is_size_known()) ? static_cast<std::size_t>(number_of_vertices()) : 0;
   }
 
   // reads all points after `read_header()`; `sink(first, last)` gets chunk after chunk of usable samples, and
@@ -92,12 +92,12 @@ public:
   template <class Sink>
   bool read(Sink&& sink)
   {
-    for (std::size_t i = 0; i < vertex_element_; ++i)
-      if (!skip_element(header_.elements[i]))
-        return fail_truncated("in the element " + quote(header_.elements[i].name) + ", before the vertices");
+    for (std::size_t i = 0; i < m_vertex_element; ++i)
+      if (!skip_element(m_header.elements[i]))
+        return fail_truncated("in the element " + quote(m_header.elements[i].name) + ", before the vertices");
     if (!(is_binary() ? read_binary_vertices(sink) : read_ascii_vertices(sink)))
       return false;
-    return is_end_as_promised() && filter_.is_cloud_usable(filename_, error_);
+    return is_end_as_promised() && m_filter.is_cloud_usable(m_filename, m_error);
   }
 
   using Chunked_cloud_reader::filter;
@@ -111,28 +111,28 @@ private:
     Ply_type type = Ply_type::FLOAT32;
   };
 
-  bool is_binary() const { return header_.format != Ply_format::ASCII; }
+  bool is_binary() const { return m_header.format != Ply_format::ASCII; }
 
   bool find_wanted_properties()
   {
-    const Ply_element& vertex = header_.elements[vertex_element_];
+    const Ply_element& vertex = m_header.elements[m_vertex_element];
     const std::vector<std::string> names = vertex.property_names();
-    number_of_wanted_ = (options_.distances == nullptr) ? 4 : 3;
+    m_number_of_wanted = (m_options.distances == nullptr) ? 4 : 3;
     static const char* const coordinates[] = {"x", "y", "z"};
-    for (std::size_t i = 0; i < number_of_wanted_; ++i)
+    for (std::size_t i = 0; i < m_number_of_wanted; ++i)
     {
       const std::size_t index =
-        i < 3 ? find_name(names, coordinates[i]) : find_distance_name(names, options_.distance_property);
+        i < 3 ? find_name(names, coordinates[i]) : find_distance_name(names, m_options.distance_property);
       if (index == names.size())
-        return fail(missing_property_text(i < 3 ? coordinates[i] : options_.distance_property, i == 3, names));
+        return fail(missing_property_text(i < 3 ? coordinates[i] : m_options.distance_property, i == 3, names));
       if (vertex.properties[index].is_list)
-        return fail(filename_ + ": the vertex property " + quote(names[index])
+        return fail(m_filename + ": the vertex property " + quote(names[index])
                     + " is a list; a single number per point is needed");
-      wanted_[i].index = index;
-      wanted_[i].type = vertex.properties[index].type;
-      wanted_[i].offset = 0;
+      m_wanted[i].index = index;
+      m_wanted[i].type = vertex.properties[index].type;
+      m_wanted[i].offset = 0;
       for (std::size_t j = 0; j < index; ++j)
-        wanted_[i].offset += size_of(vertex.properties[j].type);
+        m_wanted[i].offset += size_of(vertex.properties[j].type);
     }
     return true;
   }
@@ -140,7 +140,7 @@ private:
   std::string missing_property_text(const std::string& name, bool is_distance,
                                     const std::vector<std::string>& names) const
   {
-    std::string text = filename_ + ": its vertices have no property ";
+    std::string text = m_filename + ": its vertices have no property ";
     if (is_distance && name.empty())
       text += "for the distance (looked for: " + join(known_distance_names()) + ")";
     else
@@ -154,23 +154,23 @@ private:
 
   bool is_size_plausible()
   {
-    if (!input_.is_size_known())
+    if (!m_input.is_size_known())
       return true;
-    for (std::size_t i = 0; i <= vertex_element_; ++i)
+    for (std::size_t i = 0; i <= m_vertex_element; ++i)
     {
-      const Ply_element& element = header_.elements[i];
+      const Ply_element& element = m_header.elements[i];
       const std::uint64_t entry_size = element.entry_size();
-      if (entry_size == 0 || element.count <= input_.remaining() / entry_size)
+      if (entry_size == 0 || element.count <= m_input.remaining() / entry_size)
         continue;
-      const bool is_vertex = (i == vertex_element_);
+      const bool is_vertex = (i == m_vertex_element);
       std::string promise = "header promises " + std::to_string(element.count) + " "
         + (is_vertex ? "vertices" : quote(element.name) + " entries");
       if (element.count <= (std::numeric_limits<std::uint64_t>::max)() / entry_size)
         promise += " = " + std::string(element.has_list() ? "at least " : "")
           + std::to_string(element.count * entry_size) + " bytes";
-      const std::uint64_t rest = input_.remaining();
-      std::string text = filename_ + ": " + promise + ", the file has " + std::to_string(rest) + " after the header";
-      if (is_vertex && vertex_element_ == 0 && !element.has_list())
+      const std::uint64_t rest = m_input.remaining();
+      std::string text = m_filename + ": " + promise + ", the file has " + std::to_string(rest) + " after the header";
+      if (is_vertex && m_vertex_element == 0 && !element.has_list())
         text += " (" + std::to_string(rest / entry_size) + " of " + std::to_string(element.count) + " vertices)";
       return fail(text + ": it is truncated or its header is wrong; get a complete copy of the file");
     }
@@ -188,7 +188,7 @@ private:
       return skip_lines(element.count);
     if (!element.has_list())
       return element.count <= (std::numeric_limits<std::uint64_t>::max)() / entry_size
-        && input_.skip(element.count * entry_size);
+        && m_input.skip(element.count * entry_size);
     for (std::uint64_t i = 0; i < element.count; ++i)
       for (const Ply_property& property : element.properties)
         if (!skip_property(property))
@@ -208,17 +208,17 @@ private:
   bool skip_property(const Ply_property& property)
   {
     if (!property.is_list)
-      return input_.skip(size_of(property.type));
+      return m_input.skip(size_of(property.type));
     const std::size_t count_size = size_of(property.count_type);
-    if (input_.require(count_size) < count_size)
+    if (m_input.require(count_size) < count_size)
       return false;
-    const double count = load_number(property.count_type, input_.data(), swaps_bytes_);
-    input_.consume(count_size);
+    const double count = load_number(property.count_type, m_input.data(), m_swaps_bytes);
+    m_input.consume(count_size);
     if (count < 0. || count > 1e15)
-      return fail(filename_ + ": the list " + quote(property.name) + " claims to have " + number_to_string(count)
+      return fail(m_filename + ": the list " + quote(property.name) + " claims to have " + number_to_string(count)
                   + " entries: the file is damaged or its header is wrong; get a complete "
                     "copy of it");
-    return input_.skip(static_cast<std::uint64_t>(count) * size_of(property.type));
+    return m_input.skip(static_cast<std::uint64_t>(count) * size_of(property.type));
   }
 
   // ---- binary vertices ----
@@ -226,26 +226,26 @@ private:
   template <class Sink>
   bool read_binary_vertices(Sink& sink)
   {
-    return header_.elements[vertex_element_].has_list() ? read_binary_vertices_with_lists(sink)
-                                                        : read_binary_vertices_of_fixed_size(sink);
+    return m_header.elements[m_vertex_element].has_list() ? read_binary_vertices_with_lists(sink)
+                                                          : read_binary_vertices_of_fixed_size(sink);
   }
 
   template <class Sink>
   bool read_binary_vertices_of_fixed_size(Sink& sink)
   {
-    const std::size_t entry_size = static_cast<std::size_t>(header_.elements[vertex_element_].entry_size());
+    const std::size_t entry_size = static_cast<std::size_t>(m_header.elements[m_vertex_element].entry_size());
     if (entry_size > Chunked_input::chunk_size)
-      return fail(filename_ + ": a vertex of " + std::to_string(entry_size) + " bytes is too large");
+      return fail(m_filename + ": a vertex of " + std::to_string(entry_size) + " bytes is too large");
     const std::size_t per_chunk =
       (std::max)(std::size_t(1), (std::min)(Sample_chunk::capacity, Chunked_input::chunk_size / entry_size));
     for (std::uint64_t left = number_of_vertices(); left > 0;)
     {
       const std::size_t wanted = static_cast<std::size_t>((std::min)(left, std::uint64_t(per_chunk)));
-      const std::size_t count = input_.require(wanted * entry_size) / entry_size;
+      const std::size_t count = m_input.require(wanted * entry_size) / entry_size;
       for (std::size_t i = 0; i < count; ++i)
-        if (!keep(load_sample(input_.data() + i * entry_size), 0, sink))
+        if (!keep(load_sample(m_input.data() + i * entry_size), 0, sink))
           return false;
-      input_.consume(count * entry_size);
+      m_input.consume(count * entry_size);
       left -= count;
       if (count < wanted)
         return fail_truncated(after_vertices(number_of_vertices() - left));
@@ -256,23 +256,23 @@ private:
   Distance_sample load_sample(const char* entry) const
   {
     std::array<double, 4> values = {{0., 0., 0., 0.}};
-    for (std::size_t i = 0; i < number_of_wanted_; ++i)
-      values[i] = load_number(wanted_[i].type, entry + wanted_[i].offset, swaps_bytes_);
+    for (std::size_t i = 0; i < m_number_of_wanted; ++i)
+      values[i] = load_number(m_wanted[i].type, entry + m_wanted[i].offset, m_swaps_bytes);
     return {values[0], values[1], values[2], values[3]};
   }
 
   template <class Sink>
   bool read_binary_vertices_with_lists(Sink& sink)
   {
-    const std::vector<Ply_property>& properties = header_.elements[vertex_element_].properties;
+    const std::vector<Ply_property>& properties = m_header.elements[m_vertex_element].properties;
     std::vector<double> values(properties.size(), 0.);
     for (std::uint64_t done = 0; done < number_of_vertices(); ++done)
     {
       for (std::size_t i = 0; i < properties.size(); ++i)
       {
         const std::size_t size = size_of(properties[i].type);
-        if (!properties[i].is_list && input_.require(size) == size)
-          values[i] = load_number(properties[i].type, input_.data(), swaps_bytes_);
+        if (!properties[i].is_list && m_input.require(size) == size)
+          values[i] = load_number(properties[i].type, m_input.data(), m_swaps_bytes);
         if (!skip_property(properties[i]))
           return fail_truncated(after_vertices(done));
       }
@@ -287,7 +287,7 @@ private:
   template <class Sink>
   bool read_ascii_vertices(Sink& sink)
   {
-    const std::vector<Ply_property>& properties = header_.elements[vertex_element_].properties;
+    const std::vector<Ply_property>& properties = m_header.elements[m_vertex_element].properties;
     std::vector<double> values(properties.size(), 0.);
     std::vector<std::string_view> words;
     for (std::uint64_t done = 0; done < number_of_vertices(); ++done)
@@ -296,7 +296,7 @@ private:
         return fail_truncated(after_vertices(done));
       if (!parse_values(properties, words, values))
         return false;
-      if (!keep_values(values, input_.line_number(), sink))
+      if (!keep_values(values, m_input.line_number(), sink))
         return false;
     }
     return flush(sink);
@@ -337,33 +337,33 @@ private:
   template <class Sink>
   bool keep_values(const std::vector<double>& values, std::size_t line, Sink& sink)
   {
-    return keep({values[wanted_[0].index], values[wanted_[1].index], values[wanted_[2].index],
-                 number_of_wanted_ == 4 ? values[wanted_[3].index] : 0.},
+    return keep({values[m_wanted[0].index], values[m_wanted[1].index], values[m_wanted[2].index],
+                 m_number_of_wanted == 4 ? values[m_wanted[3].index] : 0.},
                 line, sink);
   }
 
   // a header that promises too little would drop points silently
   bool is_end_as_promised()
   {
-    for (std::size_t i = vertex_element_ + 1; i < header_.elements.size(); ++i)
-      if (header_.elements[i].count > 0)
+    for (std::size_t i = m_vertex_element + 1; i < m_header.elements.size(); ++i)
+      if (m_header.elements[i].count > 0)
         return true;
     std::vector<std::string_view> words;
     const bool has_more = is_binary()
-      ? input_.require(static_cast<std::size_t>(header_.elements[vertex_element_].entry_size()))
-        >= header_.elements[vertex_element_].entry_size()
+      ? m_input.require(static_cast<std::size_t>(m_header.elements[m_vertex_element].entry_size()))
+        >= m_header.elements[m_vertex_element].entry_size()
       : next_words(words, false);
     if (!has_more)
-      return error_.empty();
-    return fail(filename_ + ": holds more than the " + std::to_string(number_of_vertices())
+      return m_error.empty();
+    return fail(m_filename + ": holds more than the " + std::to_string(number_of_vertices())
                 + " vertices its header promises; correct the number there");
   }
 
-  Ply_header header_;
-  std::size_t vertex_element_ = 0;
-  std::array<Wanted_property, 4> wanted_;
-  std::size_t number_of_wanted_ = 4;
-  bool swaps_bytes_ = false;
+  Ply_header m_header;
+  std::size_t m_vertex_element = 0;
+  std::array<Wanted_property, 4> m_wanted;
+  std::size_t m_number_of_wanted = 4;
+  bool m_swaps_bytes = false;
 };
 
 } // namespace internal

@@ -32,15 +32,15 @@ public:
   template <class Sink>
   bool add(const Distance_sample& sample, Sink& sink)
   {
-    samples_.push_back(sample);
-    return samples_.size() < capacity || flush(sink);
+    m_samples.push_back(sample);
+    return m_samples.size() < capacity || flush(sink);
   }
 
   template <class Sink>
   bool flush(Sink& sink)
   {
-    const bool goes_on = samples_.empty() || sink(samples_.data(), samples_.data() + samples_.size());
-    samples_.clear();
+    const bool goes_on = m_samples.empty() || sink(m_samples.data(), m_samples.data() + m_samples.size());
+    m_samples.clear();
     return goes_on;
   }
 
@@ -48,7 +48,7 @@ public:
   static std::string stopped_text() { return "reading was stopped"; }
 
 private:
-  std::vector<Distance_sample> samples_;
+  std::vector<Distance_sample> m_samples;
 };
 
 } // namespace internal

@@ -92,17 +92,17 @@ inline std::size_t find_distance_name(const std::vector<std::string>& names, con
 class Sample_filter
 {
 public:
-  explicit Sample_filter(const Cloud_reader_options& options) : options_(options) {}
+  explicit Sample_filter(const Cloud_reader_options& options) : m_options(options) {}
 
   // returns whether the sample is to be kept; `line` is 0 for a binary file
   bool operator()(Distance_sample& sample, std::size_t line)
   {
-    const std::size_t index = number_of_samples_++;
-    if (options_.distances != nullptr)
+    const std::size_t index = m_number_of_samples++;
+    if (m_options.distances != nullptr)
     {
-      if (index >= options_.distances->values.size())
+      if (index >= m_options.distances->values.size())
         return false;
-      sample.distance = options_.distances->values[index];
+      sample.distance = m_options.distances->values[index];
     }
     if (is_usable(sample.x) && is_usable(sample.y) && is_usable(sample.z) && is_usable(sample.distance)
         && sample.distance >= 0.)
@@ -112,24 +112,24 @@ public:
   }
 
   // where the distances stand, for messages, such as " in column 4"
-  void set_distance_place(const std::string& place) { distance_place_ = place; }
+  void set_distance_place(const std::string& place) { m_distance_place = place; }
 
-  std::size_t number_of_samples() const { return number_of_samples_; }
+  std::size_t number_of_samples() const { return m_number_of_samples; }
 
-  std::size_t number_of_invalid() const { return invalid_coordinates_ + invalid_distances_ + negative_distances_; }
+  std::size_t number_of_invalid() const { return m_invalid_coordinates + m_invalid_distances + m_negative_distances; }
 
   // after the last sample: returns whether the cloud can be used, else says why not
   bool is_cloud_usable(const std::string& filename, std::string& error) const
   {
-    if (number_of_samples_ == 0)
+    if (m_number_of_samples == 0)
       error = filename + ": holds no points; write the cloud into it again";
-    else if (options_.distances != nullptr && options_.distances->values.size() != number_of_samples_)
-      error = filename + ": holds " + plural(number_of_samples_, "point", "points") + ", but "
-        + options_.distances->filename + " holds " + plural(options_.distances->values.size(), "distance", "distances")
-        + "; each point needs exactly one";
-    else if (number_of_invalid() > 0 && !options_.skip_invalid)
+    else if (m_options.distances != nullptr && m_options.distances->values.size() != m_number_of_samples)
+      error = filename + ": holds " + plural(m_number_of_samples, "point", "points") + ", but "
+        + m_options.distances->filename + " holds "
+        + plural(m_options.distances->values.size(), "distance", "distances") + "; each point needs exactly one";
+    else if (number_of_invalid() > 0 && !m_options.skip_invalid)
       error = filename + ": " + invalid_text() + ". Repair the file, or leave such points out by skip_invalid(true)";
-    else if (number_of_invalid() == number_of_samples_)
+    else if (number_of_invalid() == m_number_of_samples)
       error = filename + ": no point is left after skipping: " + invalid_text() + ". Repair the file";
     else
       return true;
@@ -137,7 +137,7 @@ public:
   }
 
 private:
-  bool is_usable(double value) const { return std::isfinite(value) && std::abs(value) <= options_.largest_magnitude; }
+  bool is_usable(double value) const { return std::isfinite(value) && std::abs(value) <= m_options.largest_magnitude; }
 
   void count_invalid(const Distance_sample& sample, std::size_t index, std::size_t line)
   {
@@ -145,26 +145,26 @@ private:
     std::string what;
     if (!(is_usable(sample.x) && is_usable(sample.y) && is_usable(sample.z)))
     {
-      ++invalid_coordinates_;
+      ++m_invalid_coordinates;
       if (is_first)
         what = "its coordinates are " + number_to_string(sample.x) + " " + number_to_string(sample.y) + " "
           + number_to_string(sample.z);
     }
     else
     {
-      ++(is_usable(sample.distance) ? negative_distances_ : invalid_distances_);
+      ++(is_usable(sample.distance) ? m_negative_distances : m_invalid_distances);
       if (is_first)
       {
-        what = "its distance" + distance_place_ + " is " + number_to_string(sample.distance);
-        if (options_.distances != nullptr)
+        what = "its distance" + m_distance_place + " is " + number_to_string(sample.distance);
+        if (m_options.distances != nullptr)
         {
-          const std::size_t bad_line = options_.distances->first_bad_line;
-          what += " (" + options_.distances->filename + (bad_line > 0 ? ":" + std::to_string(bad_line) : "") + ")";
+          const std::size_t bad_line = m_options.distances->first_bad_line;
+          what += " (" + m_options.distances->filename + (bad_line > 0 ? ":" + std::to_string(bad_line) : "") + ")";
         }
       }
     }
     if (is_first)
-      first_invalid_ = "point " + std::to_string(index) + " (counted from 0"
+      m_first_invalid = "point " + std::to_string(index) + " (counted from 0"
         + (line > 0 ? ", line " + std::to_string(line) : "") + "): " + what;
   }
 
@@ -175,17 +175,17 @@ private:
       if (count > 0)
         kinds += (kinds.empty() ? "" : ", ") + std::to_string(count) + " with " + kind;
     };
-    add(invalid_coordinates_, "a coordinate that is not finite");
-    add(invalid_distances_, "a distance that is not finite");
-    add(negative_distances_, "a negative distance");
-    return std::to_string(number_of_invalid()) + " of " + plural(number_of_samples_, "point", "points")
-      + " cannot be used (" + kinds + "); the first is " + first_invalid_;
+    add(m_invalid_coordinates, "a coordinate that is not finite");
+    add(m_invalid_distances, "a distance that is not finite");
+    add(m_negative_distances, "a negative distance");
+    return std::to_string(number_of_invalid()) + " of " + plural(m_number_of_samples, "point", "points")
+      + " cannot be used (" + kinds + "); the first is " + m_first_invalid;
   }
 
-  const Cloud_reader_options& options_;
-  std::size_t number_of_samples_ = 0;
-  std::size_t invalid_coordinates_ = 0, invalid_distances_ = 0, negative_distances_ = 0;
-  std::string first_invalid_, distance_place_;
+  const Cloud_reader_options& m_options;
+  std::size_t m_number_of_samples = 0;
+  std::size_t m_invalid_coordinates = 0, m_invalid_distances = 0, m_negative_distances = 0;
+  std::string m_first_invalid, m_distance_place;
 };
 
 } // namespace internal

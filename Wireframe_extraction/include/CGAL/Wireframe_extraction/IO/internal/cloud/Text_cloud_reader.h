@@ -35,7 +35,7 @@ class Text_cloud_reader
 {
 public:
   Text_cloud_reader(std::istream& stream, const std::string& filename, const Cloud_reader_options& options)
-    : table_(stream, filename), options_(options), filter_(options)
+    : m_table(stream, filename), m_options(options), m_filter(options)
   {}
 
   // reads all points; `sink(first, last)` gets chunk after chunk of usable samples, and stops the reading by
@@ -46,49 +46,49 @@ public:
     std::vector<std::string_view> fields;
     for (;;)
     {
-      const Text_table::Row row = table_.next_row(fields);
+      const Text_table::Row row = m_table.next_row(fields);
       if (row == Text_table::Row::FAILED)
         return false;
       if (row == Text_table::Row::END)
         break;
-      if (number_of_columns_ == 0 && is_preamble(fields))
+      if (m_number_of_columns == 0 && is_preamble(fields))
         continue;
-      if (number_of_columns_ == 0 && !find_columns(fields))
+      if (m_number_of_columns == 0 && !find_columns(fields))
         return false;
       if (!read_row(fields, sink))
         return false;
     }
-    return (chunk_.flush(sink) || fail_as_stopped()) && is_count_as_promised() && is_cloud_usable();
+    return (m_chunk.flush(sink) || fail_as_stopped()) && is_count_as_promised() && is_cloud_usable();
   }
 
-  const Sample_filter& filter() const { return filter_; }
-  const std::string& error() const { return table_.error(); }
+  const Sample_filter& filter() const { return m_filter; }
+  const std::string& error() const { return m_table.error(); }
 
 private:
-  std::size_t number_of_wanted() const { return options_.distances == nullptr ? 4 : 3; }
+  std::size_t number_of_wanted() const { return m_options.distances == nullptr ? 4 : 3; }
 
   // A line of names, or the number of points alone, may stand before the first row of data.
   bool is_preamble(const std::vector<std::string_view>& fields)
   {
-    if (names_.empty() && std::none_of(fields.begin(), fields.end(), looks_like_number))
+    if (m_names.empty() && std::none_of(fields.begin(), fields.end(), looks_like_number))
     {
       set_names(fields);
       return true;
     }
-    if (fields.size() != 1 || has_promised_count_)
+    if (fields.size() != 1 || m_has_promised_count)
       return false;
-    has_promised_count_ = parse_count(fields[0], promised_count_);
-    return has_promised_count_;
+    m_has_promised_count = parse_count(fields[0], m_promised_count);
+    return m_has_promised_count;
   }
 
   void set_names(const std::vector<std::string_view>& fields)
   {
-    names_.clear();
+    m_names.clear();
     for (std::string_view field : fields)
     {
       if (field.size() >= 2 && (field.front() == '"' || field.front() == '\'') && field.back() == field.front())
         field = field.substr(1, field.size() - 2);
-      names_.emplace_back(field);
+      m_names.emplace_back(field);
     }
   }
 
@@ -96,34 +96,34 @@ private:
   void take_names_from_comment(std::size_t number_of_columns)
   {
     std::vector<std::string_view> fields;
-    const std::string_view comment = table_.last_comment();
+    const std::string_view comment = m_table.last_comment();
     Text_table::split_by(Text_table::find_separator(comment), comment, fields);
     if (fields.size() != number_of_columns || comment.find(':') != std::string_view::npos)
       return;
     set_names(fields);
-    const std::size_t none = names_.size();
-    if (find_name(names_, "x") == none || find_name(names_, "y") == none || find_name(names_, "z") == none
-        || (number_of_wanted() == 4 && find_distance_name(names_, options_.distance_property) == none))
-      names_.clear();
+    const std::size_t none = m_names.size();
+    if (find_name(m_names, "x") == none || find_name(m_names, "y") == none || find_name(m_names, "z") == none
+        || (number_of_wanted() == 4 && find_distance_name(m_names, m_options.distance_property) == none))
+      m_names.clear();
   }
 
   bool find_columns(const std::vector<std::string_view>& fields)
   {
     const std::size_t number_of_columns = fields.size();
-    table_.fix_separator();
-    number_of_columns_ = number_of_columns;
-    if (table_.has_decimal_commas(fields))
-      return table_.fail_at_line("the numbers have decimal commas; decimals need a point, not a comma");
+    m_table.fix_separator();
+    m_number_of_columns = number_of_columns;
+    if (m_table.has_decimal_commas(fields))
+      return m_table.fail_at_line("the numbers have decimal commas; decimals need a point, not a comma");
     if (number_of_columns < number_of_wanted())
-      return table_.fail_at_line("the row has " + plural(number_of_columns, "column", "columns") + ", at least "
-                                 + (number_of_wanted() == 4 ? "4 (x y z distance)" : "3 (x y z)") + " are needed"
-                                 + (number_of_columns == 3 ? "; distances may also come as a separate file" : ""));
-    if (names_.empty())
+      return m_table.fail_at_line("the row has " + plural(number_of_columns, "column", "columns") + ", at least "
+                                  + (number_of_wanted() == 4 ? "4 (x y z distance)" : "3 (x y z)") + " are needed"
+                                  + (number_of_columns == 3 ? "; distances may also come as a separate file" : ""));
+    if (m_names.empty())
       take_names_from_comment(number_of_columns);
-    else if (names_.size() != number_of_columns)
-      return table_.fail_at_line("the row has " + plural(number_of_columns, "column", "columns")
-                                 + ", the line of names has " + std::to_string(names_.size())
-                                 + "; name every column once");
+    else if (m_names.size() != number_of_columns)
+      return m_table.fail_at_line("the row has " + plural(number_of_columns, "column", "columns")
+                                  + ", the line of names has " + std::to_string(m_names.size())
+                                  + "; name every column once");
     return find_coordinate_columns() && (number_of_wanted() == 3 || find_distance_column(fields));
   }
 
@@ -133,11 +133,11 @@ private:
     std::size_t number_of_found = 0;
     for (std::size_t i = 0; i < 3; ++i)
     {
-      columns_[i] = find_name(names_, coordinates[i]);
-      number_of_found += (columns_[i] < names_.size()) ? 1 : 0;
+      m_columns[i] = find_name(m_names, coordinates[i]);
+      number_of_found += (m_columns[i] < m_names.size()) ? 1 : 0;
     }
     if (number_of_found == 0)
-      columns_ = {{0, 1, 2, 3}};
+      m_columns = {{0, 1, 2, 3}};
     else if (number_of_found < 3)
       return fail_at_names("the columns of x, y and z cannot all be found; name them so");
     return true;
@@ -145,10 +145,10 @@ private:
 
   bool find_distance_column(const std::vector<std::string_view>& fields)
   {
-    if (!(names_.empty() ? find_distance_column_by_number(fields) : find_distance_column_by_name()))
+    if (!(m_names.empty() ? find_distance_column_by_number(fields) : find_distance_column_by_name()))
       return false;
-    filter_.set_distance_place(" in column " + std::to_string(columns_[3] + 1)
-                               + (names_.empty() ? "" : ", " + quote(names_[columns_[3]]) + ","));
+    m_filter.set_distance_place(" in column " + std::to_string(m_columns[3] + 1)
+                                + (m_names.empty() ? "" : ", " + quote(m_names[m_columns[3]]) + ","));
     return true;
   }
 
@@ -168,93 +168,94 @@ private:
 
   bool find_distance_column_by_number(const std::vector<std::string_view>& fields)
   {
-    const std::string& wanted = options_.distance_property;
+    const std::string& wanted = m_options.distance_property;
     std::size_t number = 4;
     if (wanted.empty() && may_have_normals(fields))
-      return table_.fail_at_line("the row has " + std::to_string(number_of_columns_)
-                                 + " columns without names, of "
-                                   "which 4 to 6 look like a normal; say which one holds the distance by its number, "
-                                   "counted from 1 (distance_property), or put a line of names first");
+      return m_table.fail_at_line("the row has " + std::to_string(m_number_of_columns)
+                                  + " columns without names, of "
+                                    "which 4 to 6 look like a normal; say which one holds the distance by its number, "
+                                    "counted from 1 (distance_property), or put a line of names first");
     if (!wanted.empty()
-        && (!parse_count(std::string_view(wanted), number) || number < 4 || number > number_of_columns_))
-      return table_.fail_at_line("no column is named " + quote(wanted)
-                                 + ", as the file's columns are without names; "
-                                   "give the number of the one with the distance, from 4 to "
-                                 + std::to_string(number_of_columns_)
-                                 + " (distance_property), or put a line of names "
-                                   "first");
-    columns_[3] = number - 1;
+        && (!parse_count(std::string_view(wanted), number) || number < 4 || number > m_number_of_columns))
+      return m_table.fail_at_line("no column is named " + quote(wanted)
+                                  + ", as the file's columns are without names; "
+                                    "give the number of the one with the distance, from 4 to "
+                                  + std::to_string(m_number_of_columns)
+                                  + " (distance_property), or put a line of names "
+                                    "first");
+    m_columns[3] = number - 1;
     return true;
   }
 
   bool find_distance_column_by_name()
   {
-    columns_[3] = find_distance_name(names_, options_.distance_property);
-    if (columns_[3] < names_.size())
+    m_columns[3] = find_distance_name(m_names, m_options.distance_property);
+    if (m_columns[3] < m_names.size())
       return true;
-    if (!options_.distance_property.empty())
-      return fail_at_names("no column is named " + quote(options_.distance_property));
-    if (names_.size() > 4)
+    if (!m_options.distance_property.empty())
+      return fail_at_names("no column is named " + quote(m_options.distance_property));
+    if (m_names.size() > 4)
       return fail_at_names("no column is named as the distance (looked for: " + join(known_distance_names())
                            + "); name the right one (distance_property)");
-    columns_[3] = 6 - columns_[0] - columns_[1] - columns_[2];
+    m_columns[3] = 6 - m_columns[0] - m_columns[1] - m_columns[2];
     return true;
   }
 
   bool fail_at_names(const std::string& what)
   {
-    return table_.fail(table_.filename() + ": " + what + "; the file's columns are: " + join(names_));
+    return m_table.fail(m_table.filename() + ": " + what + "; the file's columns are: " + join(m_names));
   }
 
   template <class Sink>
   bool read_row(const std::vector<std::string_view>& fields, Sink& sink)
   {
-    if (fields.size() != number_of_columns_)
-      return table_.fail_at_line("the row has " + plural(fields.size(), "column", "columns") + ", the rows before have "
-                                 + std::to_string(number_of_columns_) + "; complete it, or leave it out");
+    if (fields.size() != m_number_of_columns)
+      return m_table.fail_at_line("the row has " + plural(fields.size(), "column", "columns")
+                                  + ", the rows before have " + std::to_string(m_number_of_columns)
+                                  + "; complete it, or leave it out");
     std::array<double, 4> values = {{0., 0., 0., 0.}};
     for (std::size_t i = 0; i < number_of_wanted(); ++i)
     {
-      const std::string_view field = fields[columns_[i]];
+      const std::string_view field = fields[m_columns[i]];
       if (!parse_number(field, values[i]))
-        return table_.fail_at_line("column " + std::to_string(columns_[i] + 1) + " is " + no_number_text(field)
-                                   + ", or leave the line out");
+        return m_table.fail_at_line("column " + std::to_string(m_columns[i] + 1) + " is " + no_number_text(field)
+                                    + ", or leave the line out");
     }
     Distance_sample sample = {values[0], values[1], values[2], values[3]};
-    return !filter_(sample, table_.line_number()) || chunk_.add(sample, sink) || fail_as_stopped();
+    return !m_filter(sample, m_table.line_number()) || m_chunk.add(sample, sink) || fail_as_stopped();
   }
 
-  bool fail_as_stopped() { return table_.fail(table_.filename() + ": " + Sample_chunk::stopped_text()); }
+  bool fail_as_stopped() { return m_table.fail(m_table.filename() + ": " + Sample_chunk::stopped_text()); }
 
   bool is_count_as_promised()
   {
-    if (!has_promised_count_ || promised_count_ == filter_.number_of_samples())
+    if (!m_has_promised_count || m_promised_count == m_filter.number_of_samples())
       return true;
-    return table_.fail(table_.filename() + ": its first line promises " + std::to_string(promised_count_)
-                       + " points, it holds " + std::to_string(filter_.number_of_samples())
-                       + ": it is truncated or its first line is wrong; get a complete copy of it, or correct "
-                         "that line");
+    return m_table.fail(m_table.filename() + ": its first line promises " + std::to_string(m_promised_count)
+                        + " points, it holds " + std::to_string(m_filter.number_of_samples())
+                        + ": it is truncated or its first line is wrong; get a complete copy of it, or correct "
+                          "that line");
   }
 
   bool is_cloud_usable()
   {
     std::string error;
-    if (table_.is_empty_file())
-      error = table_.filename() + ": " + empty_file_text();
-    else if (filter_.is_cloud_usable(table_.filename(), error))
+    if (m_table.is_empty_file())
+      error = m_table.filename() + ": " + empty_file_text();
+    else if (m_filter.is_cloud_usable(m_table.filename(), error))
       return true;
-    return table_.fail(error);
+    return m_table.fail(error);
   }
 
-  Text_table table_;
-  const Cloud_reader_options& options_;
-  Sample_filter filter_;
-  std::vector<std::string> names_;
-  std::size_t number_of_columns_ = 0;
-  std::array<std::size_t, 4> columns_ = {{0, 1, 2, 3}};
-  bool has_promised_count_ = false;
-  std::size_t promised_count_ = 0;
-  Sample_chunk chunk_;
+  Text_table m_table;
+  const Cloud_reader_options& m_options;
+  Sample_filter m_filter;
+  std::vector<std::string> m_names;
+  std::size_t m_number_of_columns = 0;
+  std::array<std::size_t, 4> m_columns = {{0, 1, 2, 3}};
+  bool m_has_promised_count = false;
+  std::size_t m_promised_count = 0;
+  Sample_chunk m_chunk;
 };
 
 } // namespace internal

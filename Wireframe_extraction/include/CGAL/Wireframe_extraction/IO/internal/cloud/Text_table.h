@@ -30,7 +30,7 @@ namespace internal {
 class Text_table
 {
 public:
-  Text_table(std::istream& stream, const std::string& filename) : input_(stream), filename_(filename) {}
+  Text_table(std::istream& stream, const std::string& filename) : m_input(stream), m_filename(filename) {}
 
   enum class Row
   {
@@ -46,24 +46,24 @@ public:
     std::string_view line;
     for (;;)
     {
-      const Chunked_input::Line_status status = input_.next_line(line);
+      const Chunked_input::Line_status status = m_input.next_line(line);
       if (status == Chunked_input::Line_status::TOO_LONG)
         return fail_after_line("is longer than a line of numbers can be; is this a text file?");
       if (status == Chunked_input::Line_status::END)
-        return input_.has_failed() ? fail_after_line("reading failed") : Row::END;
-      if (input_.line_number() == 1 && starts_with(line, "\xEF\xBB\xBF"))
+        return m_input.has_failed() ? fail_after_line("reading failed") : Row::END;
+      if (m_input.line_number() == 1 && starts_with(line, "\xEF\xBB\xBF"))
         line.remove_prefix(3);
       line = trim(line);
       if (is_comment(line))
       {
-        if (number_of_rows_ == 0)
-          last_comment_ = std::string(line.substr(line[0] == '#' ? 1 : 2));
+        if (m_number_of_rows == 0)
+          m_last_comment = std::string(line.substr(line[0] == '#' ? 1 : 2));
         continue;
       }
       line = trim(line.substr(0, line.find('#')));
       if (line.empty())
         continue;
-      if (!is_separator_fixed_ && has_control_characters(line))
+      if (!m_is_separator_fixed && has_control_characters(line))
         return fail_with(line_number(),
                          "holds bytes that are no text; only plain text in ASCII or UTF-8 "
                          "is read");
@@ -73,14 +73,14 @@ public:
   }
 
   // to be called when the first row of data was recognised: from now on its separator is the separator
-  void fix_separator() { is_separator_fixed_ = true; }
+  void fix_separator() { m_is_separator_fixed = true; }
 
   // Whether columns of numbers were split at commas that can only be decimal ones: "0,5 1,5" is 0, 5 1 and 5.
   bool has_decimal_commas(const std::vector<std::string_view>& fields) const
   {
     std::vector<std::string_view> words;
     double value;
-    return separator_ == ',' && std::any_of(fields.begin(), fields.end(), [&](std::string_view field) {
+    return m_separator == ',' && std::any_of(fields.begin(), fields.end(), [&](std::string_view field) {
              split_at_blanks(field, words);
              return words.size() > 1 && std::all_of(words.begin(), words.end(), [&](std::string_view word) {
                       return parse_number(word, value);
@@ -89,22 +89,22 @@ public:
   }
 
   // the last comment before the first row of data
-  const std::string& last_comment() const { return last_comment_; }
+  const std::string& last_comment() const { return m_last_comment; }
 
-  bool is_empty_file() { return input_.consumed() == 0; }
-  std::size_t line_number() const { return input_.line_number(); }
-  const std::string& filename() const { return filename_; }
-  const std::string& error() const { return error_; }
+  bool is_empty_file() { return m_input.consumed() == 0; }
+  std::size_t line_number() const { return m_input.line_number(); }
+  const std::string& filename() const { return m_filename; }
+  const std::string& error() const { return m_error; }
 
   bool fail(const std::string& error)
   {
-    error_ = error;
+    m_error = error;
     return false;
   }
 
   bool fail_at_line(const std::string& what)
   {
-    return fail(filename_ + ":" + std::to_string(line_number()) + ": " + what);
+    return fail(m_filename + ":" + std::to_string(line_number()) + ": " + what);
   }
 
   static char find_separator(std::string_view line)
@@ -133,7 +133,7 @@ private:
 
   Row fail_with(std::size_t line_number, const std::string& what)
   {
-    error_ = filename_ + ":" + std::to_string(line_number) + ": " + what;
+    m_error = m_filename + ":" + std::to_string(line_number) + ": " + what;
     return Row::FAILED;
   }
 
@@ -141,19 +141,19 @@ private:
 
   void split(std::string_view line, std::vector<std::string_view>& fields)
   {
-    ++number_of_rows_;
-    if (!is_separator_fixed_)
-      separator_ = find_separator(line);
-    split_by(separator_, line, fields);
+    ++m_number_of_rows;
+    if (!m_is_separator_fixed)
+      m_separator = find_separator(line);
+    split_by(m_separator, line, fields);
   }
 
-  Chunked_input input_;
-  std::string filename_;
-  std::string last_comment_;
-  std::string error_;
-  char separator_ = ' ';
-  bool is_separator_fixed_ = false;
-  std::size_t number_of_rows_ = 0;
+  Chunked_input m_input;
+  std::string m_filename;
+  std::string m_last_comment;
+  std::string m_error;
+  char m_separator = ' ';
+  bool m_is_separator_fixed = false;
+  std::size_t m_number_of_rows = 0;
 };
 
 // a number, or what was meant to be one, such as "1,5"

@@ -35,17 +35,17 @@ public:
     // "x" creates the file only if there is none, so no other file can be lost, nor two writers collide
     for (int i = 0; i < 1000; ++i)
     {
-      path_ = target;
-      path_ += ".partial" + std::to_string(i);
+      m_path = target;
+      m_path += ".partial" + std::to_string(i);
       errno = 0;
-      std::FILE* const file = std::fopen(path_.string().c_str(), "wbx");
-      error_code_ = (file == nullptr) ? errno : 0;
+      std::FILE* const file = std::fopen(m_path.string().c_str(), "wbx");
+      m_error_code = (file == nullptr) ? errno : 0;
       if (file != nullptr)
         std::fclose(file);
-      if (error_code_ != EEXIST)
+      if (m_error_code != EEXIST)
         break;
     }
-    is_there_ = (error_code_ == 0);
+    m_is_there = (m_error_code == 0);
   }
 
   File_beside(const File_beside&) = delete;
@@ -54,32 +54,32 @@ public:
   ~File_beside()
   {
     std::error_code ignored;
-    if (is_there_)
-      std::filesystem::remove(path_, ignored);
+    if (m_is_there)
+      std::filesystem::remove(m_path, ignored);
   }
 
-  bool is_there() const { return is_there_; }
-  int error_code() const { return error_code_; }
-  const std::filesystem::path& path() const { return path_; }
+  bool is_there() const { return m_is_there; }
+  int error_code() const { return m_error_code; }
+  const std::filesystem::path& path() const { return m_path; }
 
   bool rename_to(const std::filesystem::path& target, std::string& reason)
   {
     std::error_code code;
     const std::filesystem::file_status status = std::filesystem::status(target, code);
     if (std::filesystem::is_regular_file(status))
-      std::filesystem::permissions(path_, status.permissions(), code);
-    std::filesystem::rename(path_, target, code);
+      std::filesystem::permissions(m_path, status.permissions(), code);
+    std::filesystem::rename(m_path, target, code);
     if (code)
       reason = code.message();
     else
-      is_there_ = false;
+      m_is_there = false;
     return !code;
   }
 
 private:
-  std::filesystem::path path_;
-  int error_code_ = 0;
-  bool is_there_ = false;
+  std::filesystem::path m_path;
+  int m_error_code = 0;
+  bool m_is_there = false;
 };
 
 // opens a file, lets `write(stream, error)` fill it, and closes it; returns whether every byte arrived

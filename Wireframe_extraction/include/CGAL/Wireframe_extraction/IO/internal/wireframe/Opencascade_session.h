@@ -55,7 +55,7 @@ class Opencascade_session
 {
 public:
   Opencascade_session()
-    : lock_(mutex()), unit_(UnitsMethods::GetCasCadeLengthUnit()), printers_(Message::DefaultMessenger()->Printers())
+    : m_lock(mutex()), m_unit(UnitsMethods::GetCasCadeLengthUnit()), m_printers(Message::DefaultMessenger()->Printers())
   {
     Message::DefaultMessenger()->ChangePrinters().Clear();
   }
@@ -65,10 +65,10 @@ public:
 
   ~Opencascade_session()
   {
-    for (auto setting = settings_.rbegin(); setting != settings_.rend(); ++setting)
+    for (auto setting = m_settings.rbegin(); setting != m_settings.rend(); ++setting)
       Interface_Static::SetCVal(setting->first.c_str(), setting->second.c_str());
-    UnitsMethods::SetCasCadeLengthUnit(unit_);
-    Message::DefaultMessenger()->ChangePrinters() = printers_;
+    UnitsMethods::SetCasCadeLengthUnit(m_unit);
+    Message::DefaultMessenger()->ChangePrinters() = m_printers;
   }
 
   // changes a setting until the end of the session; the translator that knows it has to be initialized
@@ -76,7 +76,7 @@ public:
   {
     const bool is_known = Interface_Static::IsPresent(name);
     if (is_known)
-      settings_.emplace_back(name, Interface_Static::CVal(name));
+      m_settings.emplace_back(name, Interface_Static::CVal(name));
     if (!is_known || !Interface_Static::SetCVal(name, value))
       throw Standard_Failure((std::string("the setting ") + name + " cannot be " + value).c_str());
   }
@@ -96,10 +96,10 @@ private:
     return the_mutex;
   }
 
-  std::lock_guard<std::mutex> lock_;
-  const double unit_;
-  const Message_SequenceOfPrinters printers_;
-  std::vector<std::pair<std::string, std::string>> settings_;
+  std::lock_guard<std::mutex> m_lock;
+  const double m_unit;
+  const Message_SequenceOfPrinters m_printers;
+  std::vector<std::pair<std::string, std::string>> m_settings;
 };
 
 // how OpenCASCADE is to write numbers: with as many digits as its buffers for them hold

@@ -90,7 +90,8 @@ class Wireframe_shape_builder
   };
 
 public:
-  Wireframe_shape_builder(const Wireframe& wireframe, const GeomTraits& traits) : wireframe_(wireframe), traits_(traits)
+  Wireframe_shape_builder(const Wireframe& wireframe, const GeomTraits& traits)
+    : m_wireframe(wireframe), m_traits(traits)
   {}
 
   // returns false and says why if a curve is none for OpenCASCADE
@@ -98,11 +99,11 @@ public:
   {
     measure(shape);
     shape.tolerance = 1e-9 * shape.size;
-    for (const auto& vertex : wireframe_.vertices)
-      vertices_.push_back(make_vertex(to_point(vertex)));
-    for (std::size_t i = 0; i < wireframe_.curves.size(); ++i)
+    for (const auto& vertex : m_wireframe.vertices)
+      m_vertices.push_back(make_vertex(to_point(vertex)));
+    for (std::size_t i = 0; i < m_wireframe.curves.size(); ++i)
     {
-      error = make_edge(wireframe_.curves[i], shape);
+      error = make_edge(m_wireframe.curves[i], shape);
       if (!error.empty())
       {
         error = "curve " + std::to_string(i) + ": " + error;
@@ -110,13 +111,13 @@ public:
       }
     }
     shape.children = children();
-    builder_.MakeCompound(shape.compound);
+    m_builder.MakeCompound(shape.compound);
     for (const Child& child : shape.children)
     {
       if (child.is_wire)
-        builder_.Add(shape.compound, make_wire(child.path, shape.edges));
+        m_builder.Add(shape.compound, make_wire(child.path, shape.edges));
       else
-        builder_.Add(shape.compound, shape.edges[child.path.front().first]);
+        m_builder.Add(shape.compound, shape.edges[child.path.front().first]);
     }
     return true;
   }
@@ -125,7 +126,7 @@ private:
   template <class Position>
   gp_XYZ to_xyz(const Position& position) const
   {
-    const Coordinates c = coordinates_of(position, traits_);
+    const Coordinates c = coordinates_of(position, m_traits);
     return gp_XYZ(c[0], c[1], c[2]);
   }
 
@@ -146,7 +147,7 @@ private:
         shape.largest_coordinate = (std::max)(shape.largest_coordinate, std::abs(p.Coord(k)));
       }
     };
-    for (const Curve& curve : wireframe_.curves)
+    for (const Curve& curve : m_wireframe.curves)
       for (const auto& point : curve.spline.control_points())
         add(to_xyz(point));
     shape.size = (high - low).Modulus();
@@ -155,7 +156,7 @@ private:
   TopoDS_Vertex make_vertex(const gp_Pnt& point) const
   {
     TopoDS_Vertex vertex;
-    builder_.MakeVertex(vertex, point, Precision::Confusion());
+    m_builder.MakeVertex(vertex, point, Precision::Confusion());
     return vertex;
   }
 
@@ -167,13 +168,13 @@ private:
       return problem;
     const bool has_vertices = curve.source != Curve::no_vertex;
     const TopoDS_Vertex source =
-      has_vertices ? vertices_[curve.source] : make_vertex(trimmed.curve->Value(trimmed.first));
-    const TopoDS_Vertex target = has_vertices ? vertices_[curve.target] : source;
+      has_vertices ? m_vertices[curve.source] : make_vertex(trimmed.curve->Value(trimmed.first));
+    const TopoDS_Vertex target = has_vertices ? m_vertices[curve.target] : source;
     TopoDS_Edge edge;
-    builder_.MakeEdge(edge, trimmed.curve, Precision::Confusion());
-    builder_.Add(edge, source.Oriented(TopAbs_FORWARD));
-    builder_.Add(edge, target.Oriented(TopAbs_REVERSED));
-    builder_.Range(edge, trimmed.first, trimmed.last);
+    m_builder.MakeEdge(edge, trimmed.curve, Precision::Confusion());
+    m_builder.Add(edge, source.Oriented(TopAbs_FORWARD));
+    m_builder.Add(edge, target.Oriented(TopAbs_REVERSED));
+    m_builder.Range(edge, trimmed.first, trimmed.last);
     cover_gap(source, trimmed.curve->Value(trimmed.first), shape);
     cover_gap(target, trimmed.curve->Value(trimmed.last), shape);
     shape.edges.push_back(edge);
@@ -184,7 +185,7 @@ private:
   void cover_gap(const TopoDS_Vertex& vertex, const gp_Pnt& end, Wireframe_shape& shape) const
   {
     const double gap = 1.001 * BRep_Tool::Pnt(vertex).Distance(end);
-    builder_.UpdateVertex(vertex, gap);
+    m_builder.UpdateVertex(vertex, gap);
     shape.tolerance = (std::max)(shape.tolerance, gap);
   }
 
@@ -202,8 +203,8 @@ private:
   {
     if (curve.is_closed() || curve.source == curve.target)
       return "It is a line, but ends where it starts.";
-    const gp_Pnt source = to_point(wireframe_.vertices[curve.source]);
-    const gp_Vec v(source, to_point(wireframe_.vertices[curve.target]));
+    const gp_Pnt source = to_point(m_wireframe.vertices[curve.source]);
+    const gp_Vec v(source, to_point(m_wireframe.vertices[curve.target]));
     if (!(v.Magnitude() > gp::Resolution()))
       return "It is a line, but its length is zero.";
     const gp_Lin line(source, gp_Dir(v));
@@ -276,9 +277,9 @@ private:
   TopoDS_Wire make_wire(const Path& path, const std::vector<TopoDS_Edge>& edges) const
   {
     TopoDS_Wire wire;
-    builder_.MakeWire(wire);
+    m_builder.MakeWire(wire);
     for (const auto& step : path)
-      builder_.Add(wire, edges[step.first].Oriented(step.second ? TopAbs_REVERSED : TopAbs_FORWARD));
+      m_builder.Add(wire, edges[step.first].Oriented(step.second ? TopAbs_REVERSED : TopAbs_FORWARD));
     wire.Closed(true);
     return wire;
   }
@@ -286,14 +287,14 @@ private:
   // Closed loops as a whole, and all other curves one by one.
   std::vector<Child> children() const
   {
-    std::vector<std::vector<std::size_t>> curves_at(wireframe_.vertices.size());
-    for (std::size_t i = 0; i < wireframe_.curves.size(); ++i)
-      for (const std::size_t vertex : {wireframe_.curves[i].source, wireframe_.curves[i].target})
+    std::vector<std::vector<std::size_t>> curves_at(m_wireframe.vertices.size());
+    for (std::size_t i = 0; i < m_wireframe.curves.size(); ++i)
+      for (const std::size_t vertex : {m_wireframe.curves[i].source, m_wireframe.curves[i].target})
         if (vertex != Curve::no_vertex)
           curves_at[vertex].push_back(i);
     std::vector<Child> result;
-    std::vector<bool> is_done(wireframe_.curves.size(), false), is_in_no_loop(wireframe_.curves.size(), false);
-    for (std::size_t i = 0; i < wireframe_.curves.size(); ++i)
+    std::vector<bool> is_done(m_wireframe.curves.size(), false), is_in_no_loop(m_wireframe.curves.size(), false);
+    for (std::size_t i = 0; i < m_wireframe.curves.size(); ++i)
     {
       if (is_done[i])
         continue;
@@ -317,7 +318,7 @@ private:
     Path path(1, std::make_pair(first, false));
     for (;;)
     {
-      const Curve& curve = wireframe_.curves[path.back().first];
+      const Curve& curve = m_wireframe.curves[path.back().first];
       const std::size_t vertex = path.back().second ? curve.source : curve.target;
       if (vertex == Curve::no_vertex)
         return path;
@@ -331,14 +332,14 @@ private:
       const std::size_t next = curves[0] == path.back().first ? curves[1] : curves[0];
       if (next == first)
         return path;
-      path.emplace_back(next, wireframe_.curves[next].source != vertex);
+      path.emplace_back(next, m_wireframe.curves[next].source != vertex);
     }
   }
 
-  const Wireframe& wireframe_;
-  const GeomTraits& traits_;
-  BRep_Builder builder_;
-  std::vector<TopoDS_Vertex> vertices_;
+  const Wireframe& m_wireframe;
+  const GeomTraits& m_traits;
+  BRep_Builder m_builder;
+  std::vector<TopoDS_Vertex> m_vertices;
 };
 
 // returns false and says why if the wireframe is malformed or OpenCASCADE has no such curve

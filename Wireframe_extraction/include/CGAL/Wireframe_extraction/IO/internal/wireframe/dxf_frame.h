@@ -64,11 +64,11 @@ inline std::string to_hexadecimal(std::size_t number)
 class Dxf_text
 {
 public:
-  void add(int code, const std::string& value) { text_ += std::to_string(code) + "\n" + value + "\n"; }
+  void add(int code, const std::string& value) { m_text += std::to_string(code) + "\n" + value + "\n"; }
 
   void add(int code, double value)
   {
-    is_finite_ = is_finite_ && std::isfinite(value);
+    m_is_finite = m_is_finite && std::isfinite(value);
     add(code, number_to_string(value));
   }
 
@@ -89,7 +89,7 @@ public:
     for (std::string_view rest(pairs); !rest.empty();)
     {
       const std::size_t end = (std::min)(rest.find('\n'), rest.size()), blank = rest.find(' ');
-      text_ += std::string(rest.substr(0, blank)) + "\n" + std::string(rest.substr(blank + 1, end - blank - 1)) + "\n";
+      m_text += std::string(rest.substr(0, blank)) + "\n" + std::string(rest.substr(blank + 1, end - blank - 1)) + "\n";
       rest.remove_prefix((std::min)(end + 1, rest.size()));
     }
   }
@@ -103,12 +103,12 @@ public:
     add(70, count);
   }
 
-  const std::string& text() const { return text_; }
-  bool is_finite() const { return is_finite_; }
+  const std::string& text() const { return m_text; }
+  bool is_finite() const { return m_is_finite; }
 
 private:
-  std::string text_;
-  bool is_finite_ = true;
+  std::string m_text;
+  bool m_is_finite = true;
 };
 
 // the box around the content, which may be empty
