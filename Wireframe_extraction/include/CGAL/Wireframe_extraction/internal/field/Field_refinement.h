@@ -323,7 +323,9 @@ private:
   {
     Crease_tracer tracer = this->tracer();
     const Traced_curve curve = tracer.curve_along(path);
-    if (curve.length() < least_length || tracer.share_of_support(curve.points) < least_support)
+    if (curve.length() < least_length)
+      return; // which takes little to find out, and from another seed it may be longer
+    if (tracer.share_of_support(curve.points) < least_support)
     {
       m_rejected.add(curve.points); // from other seeds along it, the same would come about
       return;
