@@ -47,11 +47,13 @@ inline std::size_t undo_hdf5_lzf(unsigned int flags, std::size_t number_of_value
   return decoded_size;
 }
 
-// Has the HDF5 library read what h5py compressed with its own filter, unless it can anyway, by a plugin.
+// Has the HDF5 library read what h5py compressed with its own filter, unless it can anyway, by a plugin. The filter says
+// that it can also compress, which then fails: so whoever writes with it in this program gets data as they are, instead
+// of no data set at all.
 inline void register_hdf5_lzf()
 {
   constexpr H5Z_filter_t number = 32000; // as it is registered with The HDF Group
-  const H5Z_class2_t filter = {H5Z_CLASS_T_VERS, number, 0, 1, "lzf", nullptr, nullptr, &undo_hdf5_lzf};
+  const H5Z_class2_t filter = {H5Z_CLASS_T_VERS, number, 1, 1, "lzf", nullptr, nullptr, &undo_hdf5_lzf};
   if (H5Zfilter_avail(number) <= 0)
     H5Zregister(&filter);
 }
