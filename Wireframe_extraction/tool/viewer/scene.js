@@ -84,7 +84,9 @@ export class View {
   addCloud() {
     const { samples } = this.data.cloud;
     const geometry = new BufferGeometry();
-    geometry.setAttribute("sample_", new BufferAttribute(samples, 4, true));
+    const attribute = new BufferAttribute(samples, 4, true);
+    geometry.setAttribute("sample_", attribute);
+    geometry.setAttribute("position", attribute); // by which older ones count; the shader does not use it
     geometry.boundingSphere = new Sphere(new Vector3(), 1);
     this.numberOfPoints = samples.length / 4;
     this.cloudMaterial = new ShaderMaterial({
