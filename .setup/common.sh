@@ -2,19 +2,17 @@
 # Shared by examples/run and test/run, which source it: what they need is installed, and the build is configured.
 # Expects the variable `root`, the folder of the project.
 
-packages=(g++ make cmake python3 libcgal-dev libeigen3-dev libceres-dev libtbb-dev nlohmann-json3-dev libcli11-dev)
-# What only the makers of cases from foreign files, the formats of CAD programs, HDF5, compressed NumPy archives and
-# pictures need, and the tests, which also read what was written, write what is to be read, build the manual, and look at
-# the layout of the source.
+# All that the tool can do: the formats of CAD programs, HDF5, compressed NumPy archives, pictures, and the page of --html.
+packages=(g++ make cmake python3 libcgal-dev libeigen3-dev libceres-dev libtbb-dev nlohmann-json3-dev libcli11-dev
+  libocct-data-exchange-dev libhdf5-dev zlib1g-dev libpng-dev libjs-three esbuild)
+# What only the makers of cases from foreign files need, and the tests, which also read what was written, write what is to
+# be read, build the manual, and look at the layout of the source.
 # shellcheck disable=SC2034
-test_packages=(libyaml-cpp-dev libocct-data-exchange-dev libhdf5-dev zlib1g-dev libpng-dev python3-ezdxf python3-numpy
-  python3-h5py doxygen clang-format)
+test_packages=(libyaml-cpp-dev python3-ezdxf python3-numpy python3-h5py doxygen clang-format)
 # Readers of written files, what draws, and a workflow manager, which are large, for `test/run --all`; what needs them is
 # skipped without.
 # shellcheck disable=SC2034
 reader_packages=(freecad python3-vtk9 snakemake chromium libcgal-qt5-dev libgl1-mesa-dri xvfb xauth)
-# An npm from elsewhere does not get along with Debian's.
-command -v npm >/dev/null || reader_packages+=(npm)
 packages_are_checked=yes
 
 fail()

@@ -58,7 +58,7 @@ inline Colour colour_of_index(std::size_t index)
 class Coloured_geometry
 {
 public:
-  // CloudCompare shows the properties scalar_... of a file under the rest of their names
+  // CloudCompare shows the properties m_scalar... of a file under the rest of their names
   explicit Coloured_geometry(const std::string& value_name) : m_value_name(value_name) {}
 
   template <class Point>

@@ -5,6 +5,7 @@
 
 #include "Option_parser.h"
 #include "Options.h"
+#include "built_in.h"
 #include "check_effects.h"
 
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
@@ -76,28 +77,33 @@ private:
   {
     const std::string group = "Files";
     m_app
-      .add_option("CLOUD", m_options.input.files,
-                  "The points and their distances: .ply .pcd .npy .npz .h5 .hdf5, or a text of four columns: "
-                  ".xyz .txt .csv .asc .pts; with --distances also .off. With --patches, as many as there are")
+      .add_option(
+        "CLOUD", m_options.input.files,
+        std::string("The points and their distances: .ply .pcd .npy .npz .h5 .hdf5, or a text of four columns: "
+                    ".xyz .txt .csv .asc .pts; with --distances also .off. With --patches, as many as there are")
+          + note_if_missing(Part::HDF5, ".h5 .hdf5") + note_if_missing(Part::ZLIB, "compressed .npz"))
       ->type_name(" ");
     m_app
       .add_option("-o,--output", m_options.outputs,
-                  "Where the wireframe goes, as often as needed; the extension gives the format: .json "
-                  "(all of it), .step .stp .iges .igs .brep .dxf (its curves), .obj .ply .vtp .gltf .glb "
-                  ".polylines.txt .txt .cgal (sampled curves), .svg (a drawing), or .csv (a table)")
+                  std::string("Where the wireframe goes, as often as needed; the extension gives the format: .json "
+                              "(all of it), .step .stp .iges .igs .brep .dxf (its curves), .obj .ply .vtp .gltf .glb "
+                              ".polylines.txt .txt .cgal (sampled curves), .svg (a drawing), or .csv (a table)")
+                    + note_if_missing(Part::CAD, ".step .stp .iges .igs .brep"))
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("OUT")
       ->group(group);
     m_app
       .add_option("--html", m_options.html,
-                  "Write a page that shows the cloud, the stages and the curves in a browser, in one file that "
-                  "needs nothing else")
+                  std::string("Write a page that shows the cloud, the stages and the curves in a browser, in one file "
+                              "that needs nothing else")
+                    + note_if_missing(Part::PAGE, "--html"))
       ->type_name("OUT.html")
       ->group(group);
     m_app
       .add_option("--png", m_options.png,
-                  "Write a picture of the cloud, the curves and the vertices; it takes no display")
+                  std::string("Write a picture of the cloud, the curves and the vertices; it takes no display")
+                    + note_if_missing(Part::PNG, "--png"))
       ->type_name("OUT.png")
       ->group(group);
     add_choice("--view", m_options.view,
@@ -295,7 +301,8 @@ private:
                 "here; other options count on top of it. All curves are splines then, unless "
                 "--recognize-types is given",
                 group);
-    add_checked("--threads", m_options.number_of_threads, 1, 1024, "Use at most this many threads", group)
+    add_checked("--threads", m_options.number_of_threads, 1, 1024,
+                "Use at most this many threads" + note_if_missing(Part::THREADS, "more than one"), group)
       ->type_name("N");
     add_checked(
       "--points-in-memory", m_options.points_in_memory, 1, 99999999,
@@ -305,8 +312,7 @@ private:
       ->capture_default_str();
     add_boolean("--quiet", m_options.is_quiet, "Print nothing but errors", group);
     m_app.set_help_flag("-h,--help", "Print this help")->group(group);
-    m_app.set_version_flag("--version", "extract_wireframe " WIREFRAME_EXTRACTION_VERSION_STRING, "Print the version")
-      ->group(group);
+    m_app.set_version_flag("--version", version_text(), "Print the version, and what is built in")->group(group);
   }
 
   void add_skeleton()

@@ -101,7 +101,7 @@ private:
       throw Error(USAGE_ERROR,
                   m_options.html
                     + ": this extract_wireframe was built without the viewer that --html "
-                      "needs; install npm (Debian: npm), configure and build again");
+                      "needs; install three.js and esbuild (Debian: libjs-three esbuild), configure and build again");
     check_writable(m_options.html);
   }
 

@@ -151,7 +151,8 @@ class Numpy_test(Program_test):
 
     @unittest.skipUnless(h5py and WITH_HDF5, "there is no h5py, or the tool is built without HDF5")
     def test_hdf5(self):
-        for number, options in enumerate(({}, {"compression": "gzip"}, {"compression": "gzip", "shuffle": True})):
+        for number, options in enumerate(({}, {"compression": "gzip"}, {"compression": "gzip", "shuffle": True},
+                                             {"compression": "lzf"}, {"compression": "lzf", "shuffle": True})):
             with h5py.File(self.folder / f"{number}.h5", "w") as file:
                 file.create_dataset("points", data=self.points.reshape(10, -1, 3), **options)
                 file.create_dataset("distances", data=self.distances.reshape(10, -1), **options)

@@ -53,7 +53,7 @@ class Page_test(Program_test):
         return page, data_of(page), json.loads((self.folder / "wireframe.json").read_text())
 
 
-@unittest.skipUnless(WITH_VIEWER, "the tool was built without the viewer (npm)")
+@unittest.skipUnless(WITH_VIEWER, "the tool was built without the viewer")
 class Content_test(Page_test):
     def test_agrees_with_json(self):
         self.make_cloud_of_test(NAME, "slotted_plate", "--points", 8000, "--field", "exact", "--scale", 100)
@@ -222,7 +222,7 @@ class Command_line_test(Page_test):
     def test_without_viewer(self):
         self.make_cloud_of_test("box.ply", "box", "--points", 4000, "--field", "exact")
         error = self.run_tool("box.ply", "--html", "page.html", code=USAGE_ERROR)
-        self.assertIn("npm", error)
+        self.assertIn("libjs-three esbuild", error)
         self.assertEqual(error.count("\n"), 1)
         self.assertFalse((self.folder / "page.html").exists())
 

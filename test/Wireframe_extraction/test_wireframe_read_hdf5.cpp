@@ -129,6 +129,33 @@ void test_bad_hdf5()
     refuse(".h5", good.substr(0, size), {"truncated", "complete copy"});
 }
 
+void test_lzf()
+{
+  const Cloud cloud = sample_cloud(6000);
+  const auto keep = [](const std::vector<unsigned char>&) {};
+  const Test_file file(".h5");
+  {
+    Hdf5_writer writer(file.name);
+    writer.add_lzf("points", points_of(cloud), {6, 1000, 3}, keep);
+    writer.add_lzf("distances", distances_of(cloud), {6, 1000}, keep);
+    writer.add_lzf("equal", std::vector<double>(6000, 3.), {6, 1000}, keep); // it repeats what it repeats
+    writer.add_lzf("short", distances_of(cloud), {6, 1000}, [](std::vector<unsigned char>& data) { data.pop_back(); });
+    writer.add_lzf("long", distances_of(cloud), {6, 1000}, [](std::vector<unsigned char>& data) {
+      data.insert(data.end(), {0, 7});
+    });
+    writer.add_lzf("before", distances_of(cloud), {6, 1000}, [](std::vector<unsigned char>& data) {
+      data = {0, 7, 0xff, 0xff, 1}; // a byte, and what would have to come before it
+    });
+    writer.add_lzf("empty", distances_of(cloud), {6, 1000}, [](std::vector<unsigned char>& data) { data = {31}; });
+    writer.add_filtered("foreign", {6000}, {6000}, 32099, {});
+  }
+  assert(read(file.name) == cloud);
+  assert(read(file.name, {"", "equal", ""})[4567].second == 3.);
+  for (const char* const name : {"short", "long", "before", "empty"})
+    refuse(file, {"\"" + std::string(name) + "\" cannot be read", "damaged"}, {"", name, ""});
+  refuse(file, {"\"foreign\"", "filter", "32099", "h5repack"}, {"", "foreign", ""});
+}
+
 // the library says nothing itself, and afterwards speaks to whom it spoke before
 void test_silence()
 {
@@ -171,6 +198,7 @@ int main()
   test_hdf5();
 #ifdef CGAL_WIREFRAME_EXTRACTION_USE_HDF5
   test_hdf5_rows();
+  test_lzf();
   test_bad_hdf5();
   test_silence();
 #endif

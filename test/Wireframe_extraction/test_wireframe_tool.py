@@ -420,14 +420,31 @@ class Tool_test(Program_test):
         for name in ("-h", "--help"):
             text = self.extract(name)
             self.assertTrue(all(len(line) <= 100 for line in text.splitlines()))
-        self.assertRegex(self.extract("--version"), r"\Aextract_wireframe \d+\.\d+\.\d+\n\Z")
         for word in ("CLOUD", "--output", "--distances", "--distance-property", "--skip-invalid", "--paper",
                      "--stages", "--threads", "--quiet", "--version", "Exit codes"):
             self.assertIn(word, text)
 
+    def test_version_tells_what_is_built_in(self):
+        lines = self.extract("--version").splitlines()
+        self.assertRegex(lines[0], r"\Aextract_wireframe \d+\.\d+\.\d+\Z")
+        parts = dict(re.split(r"  +", line.strip(), maxsplit=1) for line in lines[1:])
+        self.assertRegex(parts.pop("geometry and fits"), r"\ACGAL [\d.]+, Eigen [\d.]+, Ceres [\d.]+\Z")
+        self.assertRegex(parts.pop("several threads"), r"\A(TBB \d|not built in: needs TBB \(Debian: libtbb-dev\))")
+        help_text = re.sub(r"\s+", " ", self.extract("--help"))
+        for part, (name, variable, marked) in {
+                "STEP, IGES and BREP": ("OpenCASCADE", "CAD", ".step .stp .iges .igs .brep"),
+                "HDF5": ("HDF5", "HDF5", ".h5 .hdf5"), "compressed .npz": ("zlib", "ZLIB", "compressed .npz"),
+                "--png": ("libpng", "PNG", "--png"), "--html": ("three.js", "VIEWER", "--html")}.items():
+            is_built_in = os.environ.get("EXTRACT_WIREFRAME_WITH_" + variable) == "1"
+            with self.subTest(part=part, is_built_in=is_built_in):
+                expected = rf"\A{name} r?\d+" if is_built_in else rf"\Anot built in: needs {name} \(Debian: .+\)\Z"
+                self.assertRegex(parts.pop(part), expected)
+                self.assertEqual("Not built in: " + marked in help_text, not is_built_in)
+        self.assertEqual(parts, {})
+
     def test_every_parameter_is_an_option(self):
         library = HERE / "../../Wireframe_extraction/include/CGAL/Wireframe_extraction"
-        source = library / "internal/parameters_interface.h"
+        source = library / "internal/options/parameters_interface.h"
         if not source.exists():
             self.skipTest("the sources of the library are elsewhere")
         names = re.findall(r"^CGAL_add_named_parameter\(\w+, (\w+),", source.read_text(), re.MULTILINE)

@@ -1,8 +1,9 @@
 // The cloud, the stages and the curves in space.
 
+import * as three from "three";
 import {
-  BufferAttribute, BufferGeometry, Color, ColorManagement, LinearSRGBColorSpace, LineBasicMaterial, LineSegments,
-  PerspectiveCamera, Points, PointsMaterial, Scene, ShaderMaterial, Sphere, Vector2, Vector3, WebGLRenderer
+  BufferAttribute, BufferGeometry, Color, LineBasicMaterial, LineSegments, PerspectiveCamera, Points, PointsMaterial,
+  Scene, ShaderMaterial, Sphere, Vector2, Vector3, WebGLRenderer
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
@@ -45,12 +46,16 @@ function roundPoints(options) {
 
 export class View {
   constructor(canvas, axes, data) {
-    ColorManagement.enabled = false; // colours are shown as they are
+    if (three.ColorManagement) // colours are shown as they are, and always were before three.js had this
+      three.ColorManagement.enabled = false;
     this.canvas = canvas;
     this.axes = axes;
     this.data = data;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true });
-    this.renderer.outputColorSpace = LinearSRGBColorSpace;
+    const context = canvas.getContext("webgl2", { antialias: true, powerPreference: "default" });
+    if (!context)
+      throw new Error("there is no context for it");
+    this.renderer = new WebGLRenderer({ canvas, context });
+    this.renderer.outputColorSpace = three.LinearSRGBColorSpace;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.scene = new Scene();
     this.scene.background = new Color("#f6f8fb");
@@ -58,6 +63,7 @@ export class View {
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.zoomToCursor = true;
+    this.controls.enableKeys = false; // which older ones have for the whole page
     this.controls.minDistance = 1e-4;
     this.controls.maxDistance = 20;
     this.controls.addEventListener("change", () => this.onMove());
@@ -78,7 +84,9 @@ export class View {
   addCloud() {
     const { samples } = this.data.cloud;
     const geometry = new BufferGeometry();
-    geometry.setAttribute("sample_", new BufferAttribute(samples, 4, true));
+    const attribute = new BufferAttribute(samples, 4, true);
+    geometry.setAttribute("sample_", attribute);
+    geometry.setAttribute("position", attribute); // by which older ones count; the shader does not use it
     geometry.boundingSphere = new Sphere(new Vector3(), 1);
     this.numberOfPoints = samples.length / 4;
     this.cloudMaterial = new ShaderMaterial({
@@ -372,6 +380,8 @@ export class View {
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     this.renderer.setSize(width, height, false);
+    for (const material of [this.curveMaterial, this.highlightMaterial])
+      material.resolution.set(width, height);
     this.draw();
   }
 

@@ -8,7 +8,10 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -44,6 +47,42 @@ public:
     assert(dataset >= 0);
     if (is_written)
       assert(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
+    H5Dclose(dataset);
+    H5Pclose(properties);
+    H5Sclose(space);
+  }
+
+  // Compressed as h5py does it with `lzf`, in chunks of one row each; `damage` may change what is stored of a chunk.
+  template <class Damage>
+  void add_lzf(const std::string& name, const std::vector<double>& values, const std::vector<hsize_t>& shape,
+               const Damage& damage)
+  {
+    std::vector<hsize_t> chunk(shape), place(shape.size(), 0);
+    chunk[0] = 1;
+    const std::size_t size = sizeof(double) * values.size() / shape[0];
+    add_filtered(name, shape, chunk, 32000, {4, 0x0105, static_cast<unsigned int>(size)});
+    const hid_t dataset = H5Dopen2(m_file, name.c_str(), H5P_DEFAULT);
+    for (; place[0] < shape[0]; ++place[0])
+    {
+      std::vector<unsigned char> stored =
+        lzf(reinterpret_cast<const unsigned char*>(values.data()) + place[0] * size, size);
+      damage(stored);
+      assert(H5Dwrite_chunk(dataset, H5P_DEFAULT, 0, place.data(), stored.size(), stored.data()) >= 0);
+    }
+    H5Dclose(dataset);
+  }
+
+  // a data set by a filter that need not be there
+  void add_filtered(const std::string& name, const std::vector<hsize_t>& shape, const std::vector<hsize_t>& chunk,
+                    H5Z_filter_t filter, const std::vector<unsigned int>& parameters)
+  {
+    const hid_t space = H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr);
+    const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
+    H5Pset_filter(properties, filter, H5Z_FLAG_OPTIONAL, parameters.size(), parameters.data());
+    const hid_t dataset =
+      H5Dcreate2(m_file, name.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, properties, H5P_DEFAULT);
+    assert(dataset >= 0);
     H5Dclose(dataset);
     H5Pclose(properties);
     H5Sclose(space);
@@ -85,6 +124,44 @@ public:
   }
 
 private:
+  // Repeats the longest that it finds behind the last three equal bytes.
+  static std::vector<unsigned char> lzf(const unsigned char* data, std::size_t size)
+  {
+    std::vector<unsigned char> result;
+    std::map<std::array<unsigned char, 3>, std::size_t> places;
+    std::size_t first = 0; // of those that are not yet stored
+    const auto store_until = [&](std::size_t end) {
+      for (; first < end; first += (std::min)(end - first, std::size_t(32)))
+      {
+        const std::size_t count = (std::min)(end - first, std::size_t(32));
+        result.push_back(static_cast<unsigned char>(count - 1));
+        result.insert(result.end(), data + first, data + first + count);
+      }
+    };
+    for (std::size_t i = 0; i + 2 < size; ++i)
+    {
+      std::size_t& place =
+        places.emplace(std::array<unsigned char, 3>{data[i], data[i + 1], data[i + 2]}, i).first->second;
+      const std::size_t back = i - place;
+      place = i;
+      if (back == 0 || back > 8192)
+        continue;
+      std::size_t count = 3;
+      while (count < 264 && i + count < size && data[i + count] == data[i + count - back])
+        ++count;
+      store_until(i);
+      const std::size_t length = count - 2;
+      result.push_back(static_cast<unsigned char>((std::min)(length, std::size_t(7)) << 5 | (back - 1) >> 8));
+      if (length >= 7)
+        result.push_back(static_cast<unsigned char>(length - 7));
+      result.push_back(static_cast<unsigned char>((back - 1) & 255));
+      first = i + count;
+      i = first - 1;
+    }
+    store_until(size);
+    return result;
+  }
+
   hid_t m_file;
 };
 

@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_HDF5_FILE_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_HDF5_FILE_H
 
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Hdf5_filters.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Number_array.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 
@@ -86,6 +87,7 @@ public:
         + (reason.empty() ? "" : " (" + reason + ")") + "; get a complete copy of the file";
       return false;
     }
+    register_hdf5_lzf();
     collect_names(m_file.get(), "", 0);
     return true;
   }
@@ -226,11 +228,9 @@ private:
     return (std::min)(std::uint64_t(H5Dget_storage_size(dataset)), std::uint64_t(size_of_file));
   }
 
-  static bool refers_to_other_files(hid_t dataset)
+  static bool refers_to_other_files(hid_t properties)
   {
-    const Hdf5_handle properties(H5Dget_create_plist(dataset), &H5Pclose);
-    return properties.is_valid()
-      && (H5Pget_layout(properties.get()) == H5D_VIRTUAL || H5Pget_external_count(properties.get()) > 0);
+    return H5Pget_layout(properties) == H5D_VIRTUAL || H5Pget_external_count(properties) > 0;
   }
 
   // returns what went wrong, nothing if all went well
@@ -261,7 +261,14 @@ private:
   {
     const std::uint64_t bytes = H5Tget_size(type);
     const std::uint64_t there = stored_size(dataset);
-    if (refers_to_other_files(dataset))
+    const Hdf5_handle properties(H5Dget_create_plist(dataset), &H5Pclose);
+    if (!properties.is_valid())
+      return "has no properties: " + reason_of_library();
+    const std::string filter = missing_hdf5_filter(properties.get());
+    if (!filter.empty())
+      return "is compressed by a filter that this HDF5 library does not have (" + filter
+        + "); install the plugin for it, or write the file anew: h5repack -f GZIP=4 OLD NEW";
+    if (refers_to_other_files(properties.get()))
       return "has its data in other files; put it into one, as h5py does if a new data set gets the array of the "
              "old one";
     if (!find_number_of_values(shape, count) || (count > 0 && count > there * largest_compression / bytes))
