@@ -17,7 +17,12 @@
 #include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
+#include <CGAL/value_type_traits.h>
+
+#include <algorithm>
 #include <cstddef>
+#include <istream>
+#include <iterator>
 #include <limits>
 #include <new>
 #include <stdexcept>
@@ -27,6 +32,12 @@
 #include <vector>
 
 namespace CGAL {
+
+#ifndef DOXYGEN_RUNNING
+template <class Point, class Vector>
+class Point_set_3;
+#endif
+
 namespace IO {
 namespace internal {
 
@@ -93,10 +104,11 @@ std::string read_in_memory(const std::string& filename, const Read& read)
   }
 }
 
-// `distances_filename` may be null
-template <class Point, class FT, class NamedParameters>
-bool read_distance_cloud_of_files(const std::string& filename, const std::string* distances_filename,
-                                  std::vector<std::pair<Point, FT>>& cloud, const NamedParameters& np)
+// Reads samples into a vector by `read(options, sink, number_of_skipped)`, which returns what went wrong, and tells
+// whoever wants to know how it went.
+template <class Point, class FT, class NamedParameters, class Read>
+bool read_distance_cloud_by(const Read& read, const std::string& name, std::vector<std::pair<Point, FT>>& cloud,
+                            const NamedParameters& np)
 {
   namespace internal_np = CGAL::Wireframe_extraction::internal_np;
   using CGAL::parameters::choose_parameter;
@@ -105,18 +117,8 @@ bool read_distance_cloud_of_files(const std::string& filename, const std::string
   Cloud_reader_options options = get_cloud_reader_options<FT>(np);
   std::size_t number_of_skipped = 0;
   std::vector<std::pair<Point, FT>> result;
-  Separate_distances distances;
-  const std::string error = read_in_memory(filename, [&] {
-    if (distances_filename != nullptr)
-    {
-      const std::string distances_error = read_distances_file(*distances_filename, options, distances);
-      if (!distances_error.empty())
-        return distances_error;
-      options.distances = &distances;
-    }
-    Cloud_sink<Point, FT> sink = {result};
-    return read_cloud(filename, options, sink, number_of_skipped);
-  });
+  Cloud_sink<Point, FT> sink = {result};
+  const std::string error = read_in_memory(name, [&] { return read(options, sink, number_of_skipped); });
   if (error.empty())
     cloud.swap(result);
 
@@ -126,6 +128,33 @@ bool read_distance_cloud_of_files(const std::string& filename, const std::string
     *skipped = (error.empty() ? number_of_skipped : 0);
   return report(np, error);
 }
+
+// `distances_filename` may be null
+template <class Point, class FT, class NamedParameters>
+bool read_distance_cloud_of_files(const std::string& filename, const std::string* distances_filename,
+                                  std::vector<std::pair<Point, FT>>& cloud, const NamedParameters& np)
+{
+  Separate_distances distances;
+  const auto read = [&](Cloud_reader_options& options, Cloud_sink<Point, FT>& sink, std::size_t& number_of_skipped) {
+    if (distances_filename != nullptr)
+    {
+      const std::string distances_error = read_distances_file(*distances_filename, options, distances);
+      if (!distances_error.empty())
+        return distances_error;
+      options.distances = &distances;
+    }
+    return read_cloud(filename, options, sink, number_of_skipped);
+  };
+  return read_distance_cloud_by(read, filename, cloud, np);
+}
+
+// whether the type is that of an iterator
+template <class T, class = void>
+struct Is_iterator : std::false_type
+{};
+template <class T>
+struct Is_iterator<T, std::void_t<typename std::iterator_traits<T>::iterator_category>> : std::true_type
+{};
 
 } // namespace internal
 
@@ -284,6 +313,122 @@ bool read_distance_cloud(const std::string& filename, const std::string& distanc
                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   return internal::read_distance_cloud_of_files(filename, &distances_filename, cloud, np);
+}
+
+/// \ingroup PkgWireframeExtractionIO
+/// reads a point cloud with a distance per point out of a stream.
+///
+/// \tparam Point a type constructible from three `double` coordinates
+/// \tparam FT a model of `FieldNumberType` that is constructible from `double`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param stream the stream; opened with `std::ios::binary` unless its format is text
+/// \param format the extension that a file of the format has, with or without the dot, such as "ply"; that of HDF5 is not
+///   possible
+/// \param cloud the points and their distances, in their order. What it held before is replaced; it is left as it was if
+///   reading fails.
+/// \param np an optional sequence of named parameters, those of the overload for a file
+///
+/// \return `true` if the cloud was read and has at least one point, else `false`, for the reasons of the overload for a
+///   file.
+template <class Point, class FT, typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool read_distance_cloud(std::istream& stream, const std::string& format, std::vector<std::pair<Point, FT>>& cloud,
+                         const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  const auto read = [&](const internal::Cloud_reader_options& options, internal::Cloud_sink<Point, FT>& sink,
+                        std::size_t& number_of_skipped) {
+    return internal::read_cloud_stream(stream, format, options, sink, number_of_skipped);
+  };
+  return internal::read_distance_cloud_by(read, "the stream", cloud, np);
+}
+
+/// \ingroup PkgWireframeExtractionIO
+/// reads a point cloud with a distance per point from one file, and writes it to an output iterator. Nothing is written
+/// if reading fails.
+///
+/// \tparam Value the type that is written, a `std::pair` of a point and a distance as in the overload for a vector
+/// \tparam OutputIterator a model of `OutputIterator` that accepts `Value`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param filename the name of the file
+/// \param out the output iterator
+/// \param np an optional sequence of named parameters, those of the overload for a vector
+///
+/// \return `true` if the cloud was read and has at least one point, else `false`, for the reasons of the overload for a
+///   vector.
+template <class Value, class OutputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
+#ifdef DOXYGEN_RUNNING
+bool
+#else
+typename std::enable_if<internal::Is_iterator<OutputIterator>::value, bool>::type
+#endif
+read_distance_cloud(const std::string& filename, OutputIterator out,
+                    const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  std::vector<Value> cloud;
+  if (!read_distance_cloud(filename, cloud, np))
+    return false;
+  std::move(cloud.begin(), cloud.end(), out);
+  return true;
+}
+
+/// \ingroup PkgWireframeExtractionIO
+/// reads a point cloud with a distance per point from one file, and writes it to an output iterator whose value type is
+/// known, such as `std::back_inserter(list)`. Nothing is written if reading fails.
+///
+/// \tparam OutputIterator a model of `OutputIterator` whose value type, as `CGAL::value_type_traits` has it, is a
+///   `std::pair` of a point and a distance
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param filename the name of the file
+/// \param out the output iterator
+/// \param np an optional sequence of named parameters, those of the overload for a vector
+///
+/// \return `true` if the cloud was read and has at least one point, else `false`, for the reasons of the overload for a
+///   vector.
+template <class OutputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
+#ifdef DOXYGEN_RUNNING
+bool
+#else
+typename std::enable_if<internal::Is_iterator<OutputIterator>::value, bool>::type
+#endif
+read_distance_cloud(const std::string& filename, OutputIterator out,
+                    const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  return read_distance_cloud<typename CGAL::value_type_traits<OutputIterator>::type>(filename, out, np);
+}
+
+/// \ingroup PkgWireframeExtractionIO
+/// reads a point cloud with a distance per point from one file into a point set, whose property map `distance`, of type
+/// `double`, gets the distances. The parameter `point_map` of an extraction is `points.point_map()` then, and
+/// `distance_map` is `points.property_map<double>("distance").first`, or what it points to from CGAL 6.0 on. The header
+/// `CGAL/Point_set_3.h` has to be included.
+///
+/// \tparam Point a type constructible from three `double` coordinates
+/// \tparam Vector the type of normals
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param filename the name of the file
+/// \param points the points. What the set held before is replaced, with all of its properties; it is left as it was if
+///   reading fails.
+/// \param np an optional sequence of named parameters, those of the overload for a vector
+///
+/// \return `true` if the cloud was read and has at least one point, else `false`, for the reasons of the overload for a
+///   vector.
+template <class Point, class Vector, typename CGAL_NP_TEMPLATE_PARAMETERS>
+bool read_distance_cloud(const std::string& filename, CGAL::Point_set_3<Point, Vector>& points,
+                         const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  std::vector<std::pair<Point, double>> cloud;
+  if (!read_distance_cloud(filename, cloud, np))
+    return false;
+  CGAL::Point_set_3<Point, Vector> result;
+  auto distances = result.template add_property_map<double>("distance", 0.).first;
+  result.reserve(cloud.size());
+  for (const std::pair<Point, double>& sample : cloud)
+    put(distances, *result.insert(sample.first), sample.second);
+  points = result;
+  return true;
 }
 
 } // namespace IO

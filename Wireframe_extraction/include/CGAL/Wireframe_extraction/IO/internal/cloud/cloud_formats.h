@@ -106,20 +106,11 @@ std::string read_with(std::istream& stream, const std::string& filename, const C
   return take_results(reader, number_of_skipped);
 }
 
-// Reads a cloud; `sink(first, last)` gets chunk after chunk of usable samples. Returns what went wrong, nothing if
-// all went well.
+// Reads a cloud of a format that is known out of an open stream, as `read_cloud()` does.
 template <class Sink>
-std::string read_cloud(const std::string& filename, const Cloud_reader_options& options, Sink& sink,
-                       std::size_t& number_of_skipped)
+std::string read_cloud_of_format(Cloud_format format, std::istream& stream, const std::string& filename,
+                                 const Cloud_reader_options& options, Sink& sink, std::size_t& number_of_skipped)
 {
-  const Cloud_format format = find_cloud_format(filename);
-  if (format == Cloud_format::UNKNOWN)
-    return filename + ": unknown extension " + quote(lower_extension(filename))
-      + " of a point cloud; known are .ply .pcd .off .npy .npz .h5 .hdf5 and .xyz .txt .csv .asc .pts (text)";
-  std::ifstream stream;
-  std::string error;
-  if (!open_input_file(filename, stream, error))
-    return error;
   switch (format)
   {
   case Cloud_format::PLY: {
@@ -151,6 +142,39 @@ std::string read_cloud(const std::string& filename, const Cloud_reader_options& 
       return take_results(reader, number_of_skipped);
     });
   }
+}
+
+// Reads a cloud; `sink(first, last)` gets chunk after chunk of usable samples. Returns what went wrong, nothing if
+// all went well.
+template <class Sink>
+std::string read_cloud(const std::string& filename, const Cloud_reader_options& options, Sink& sink,
+                       std::size_t& number_of_skipped)
+{
+  const Cloud_format format = find_cloud_format(filename);
+  if (format == Cloud_format::UNKNOWN)
+    return filename + ": unknown extension " + quote(lower_extension(filename))
+      + " of a point cloud; known are .ply .pcd .off .npy .npz .h5 .hdf5 and .xyz .txt .csv .asc .pts (text)";
+  std::ifstream stream;
+  std::string error;
+  if (!open_input_file(filename, stream, error))
+    return error;
+  return read_cloud_of_format(format, stream, filename, options, sink, number_of_skipped);
+}
+
+// Reads a cloud out of a stream; `extension` is that of files of its format, with or without the dot.
+template <class Sink>
+std::string read_cloud_stream(std::istream& stream, const std::string& extension, const Cloud_reader_options& options,
+                              Sink& sink, std::size_t& number_of_skipped)
+{
+  const std::string name = "the stream";
+  const Cloud_format format =
+    find_cloud_format("cloud" + std::string(starts_with(extension, ".") ? "" : ".") + extension);
+  if (format == Cloud_format::UNKNOWN || format == Cloud_format::HDF5)
+    return name + ": unknown format " + quote(extension)
+      + " of a stream; known are ply, pcd, off, npy, npz and xyz, txt, csv, asc, pts (text)";
+  if (!stream)
+    return name + ": cannot be read";
+  return read_cloud_of_format(format, stream, name, options, sink, number_of_skipped);
 }
 
 // Reads distances that come in a file of their own: an array, or text with one per line. Returns what went wrong,
