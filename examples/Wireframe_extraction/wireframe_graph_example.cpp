@@ -1,4 +1,5 @@
-// The topological graph is a graph of the Boost Graph Library: all of its algorithms run on it.
+// A wireframe is a graph of the Boost Graph Library, and so is the topological graph that it comes from: all of the
+// algorithms of that library run on them.
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/Simple_cartesian.h>
@@ -23,6 +24,7 @@
 #include <vector>
 
 typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Wireframe<Kernel> Wireframe;
 typedef CGAL::Wireframe_graph<Kernel> Graph;
 typedef boost::graph_traits<Graph>::vertex_descriptor Vertex;
 typedef boost::graph_traits<Graph>::edge_descriptor Edge;
@@ -60,7 +62,7 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
   Graph_keeper keeper;
-  CGAL::extract_wireframe(cloud, parameters::visitor(std::ref(keeper)));
+  const Wireframe wireframe = CGAL::extract_wireframe(cloud, parameters::visitor(std::ref(keeper)));
   const Graph& graph = keeper.graph;
   if (num_vertices(graph) == 0)
     return EXIT_FAILURE;
@@ -70,6 +72,16 @@ int main(int argc, char** argv)
   const std::size_t pieces = boost::connected_components(graph, component.data());
   std::cout << num_vertices(graph) << " vertices and " << num_edges(graph) << " edges in " << pieces << " pieces, with "
             << num_edges(graph) + pieces - num_vertices(graph) << " cycles" << std::endl;
+
+  // In the graph of the wireframe, each curve that has a vertex is an edge.
+  const Graph curves = wireframe_graph(wireframe);
+  for (const Edge& edge : CGAL::make_range(edges(curves)))
+  {
+    const Wireframe::Curve& curve = wireframe.curves[curves[edge].curve_id];
+    std::cout << to_string(curve.type) << " of length " << curve.length() << " from a vertex of degree "
+              << degree(source(edge, curves), curves) << " to one of degree " << degree(target(edge, curves), curves)
+              << std::endl;
+  }
 
   // For each corner, how far it is along the curves to the vertex farthest from it.
   for (const Vertex start : CGAL::make_range(vertices(graph)))

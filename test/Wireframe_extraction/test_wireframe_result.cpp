@@ -3,6 +3,9 @@
 #include "theta_wireframe.h"
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/Wireframe_graph.h>
+
+#include <boost/graph/connected_components.hpp>
 
 #include <cassert>
 #include <cmath>
@@ -85,8 +88,32 @@ void test_validity()
   test_invalid("but has a conic", [](Wireframe& w) { w.curves[4].type = Type::BSPLINE; });
 }
 
+// parallel edges and loops are kept, and what has no vertex is no edge
+void test_graph()
+{
+  typedef CGAL::Wireframe_graph<Kernel> Graph;
+  Wireframe wireframe = theta_wireframe();
+  wireframe.vertices.push_back(Point(9, 9, 9));
+  const Graph graph = wireframe_graph(wireframe);
+  assert(num_vertices(graph) == 3 && num_edges(graph) == 4);
+  for (std::size_t v = 0; v < 3; ++v)
+    assert(get(CGAL::vertex_point, graph, v) == wireframe.vertices[v] && graph[v].is_corner == (v < 2));
+  assert(degree(0, graph) == 5 && degree(1, graph) == 3 && degree(2, graph) == 0);
+  std::size_t number = 0;
+  for (auto range = edges(graph); range.first != range.second; ++range.first, ++number)
+  {
+    const Wireframe::Curve& curve = wireframe.curves[graph[*range.first].curve_id];
+    assert(graph[*range.first].curve_id == number);
+    assert(source(*range.first, graph) == curve.source && target(*range.first, graph) == curve.target);
+  }
+  std::vector<std::size_t> component(num_vertices(graph));
+  assert(boost::connected_components(graph, component.data()) == 2);
+  assert(num_vertices(wireframe_graph(Wireframe())) == 0);
+}
+
 int main()
 {
+  test_graph();
   test_curves();
   test_names();
   test_incident_curves();
