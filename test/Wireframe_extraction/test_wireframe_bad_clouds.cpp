@@ -454,18 +454,6 @@ void test_parameters_out_of_range()
   refuse_parameter(WP::connection_angle(91.), "connection_angle");
   refuse_parameter(WP::noise_level(1.1), "noise_level");
   refuse_parameter(WP::number_of_rounds(0), "number_of_rounds");
-  // a stage alone has a precondition
-  auto skeleton = WE::select_skeleton(box());
-  bool is_refused = false;
-  try
-  {
-    WE::contract_skeleton(skeleton, WP::fitting_radius(-4.));
-  }
-  catch (const CGAL::Precondition_exception&)
-  {
-    is_refused = true;
-  }
-  assert(is_refused && !skeleton.is_contracted());
 }
 
 // ---- a field that was cut off, and points that are far away

@@ -29,7 +29,7 @@ STAGES = {"select_skeleton.h": (), "contract_skeleton.h": (), "refine_field.h": 
           "segment_curves.h": (), "recognize_curve_types.h": (), "fit_curves.h": ("Spline_network_fit.h",),
           "build_topological_graph.h": ("Network_subdivider.h", "Network_tracer.h", "Spline_network_fit.h")}
 NOT_FOR_USERS = {("build_topological_graph.h", "number_of_rounds")}  # always 2 there
-CGAL_PARAMETERS = {"point_map", "geom_traits", "callback", "use_binary_mode", "verbose"}
+CGAL_PARAMETERS = {"point_map", "geom_traits", "callback", "visitor", "use_binary_mode", "verbose"}
 
 
 def public_headers(root):
@@ -294,13 +294,14 @@ class Manual_test(unittest.TestCase):
                      "cgalParamNBegin{smooth_angle}")
         self.replace(root, HEADERS / "Wireframe_extraction/IO/write_wireframe_step.h",
                      "Schema::AP214);", "Schema::AP242);")
-        self.replace(root, PARAMETER_LIST, "(visitor_t, visitor, visitor)", "(spectator_t, spectator, spectator)")
+        self.replace(root, PARAMETER_LIST, "(skip_invalid_t, skip_invalid, skip_invalid)",
+                     "(spectator_t, spectator, spectator)")
         self.replace(root, USER_MANUAL, "| `move_corners` |", "| `moves_corners` |")
         found = "\n".join(wrong_parameters(root))
         for expected in ("detect_corners.h: the default of corner_radius is 4.5, not 4",
                          "segment_curves.h: the default of use_tangents is false, not `true`",
                          "the default of end_detection is End_detection::MAIN_AXIS",
-                         "extract_wireframe.h: there is no named parameter visitor",
+                         "extract_wireframe.h: there is no named parameter skip_invalid",
                          "segment_curves.h: connection_angle is read, but not described",
                          "segment_curves.h: the default of smooth_angle is 20., not 30",
                          "write_wireframe_step.h: the default of step_schema is Schema::AP242, not `Step_schema::AP214",

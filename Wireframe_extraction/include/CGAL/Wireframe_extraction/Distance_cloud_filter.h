@@ -79,7 +79,8 @@ public:
   ///
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
   ///
-  /// \param np an optional sequence of named parameters among the ones listed below
+  /// \param np an optional sequence of named parameters among the ones listed below.
+  /// \pre The first three are positive and finite.
   ///
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{skeleton_distance}

@@ -17,7 +17,7 @@
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
 #include <CGAL/Wireframe_extraction/internal/network/build_graph.h>
-#include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
 
 #include <cstddef>
 #include <functional>
@@ -127,9 +127,15 @@ builds the topological graph of a wireframe: polylines that end in corners.
     \cgalParamType{an instance of `std::function<bool(double)>`}
     \cgalParamDefault{unused}
   \cgalParamNEnd
+  \cgalParamNBegin{extraction_report}
+    \cgalParamDescription{a reference to what gets the status and the message: `std::ref(report)`}
+    \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
+    \cgalParamDefault{unused}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the graph. After cancelling, it holds the curves traced so far.
+\return the graph. After cancelling, it holds the curves traced so far. It is empty if a parameter is out of its range.
+The report says what happened.
 
 Complexity: `TRACED`: O(n (log n + k)) for n points with k neighbors each; `SUBDIVIDED`: O(n s^2) for clusters of n
 points that get s segments.
@@ -140,10 +146,11 @@ template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTrai
   const Wireframe_skeleton<GeomTraits>& skeleton, const std::vector<Wireframe_corner<GeomTraits>>& corners,
   const std::vector<std::vector<std::size_t>>& clusters, const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const std::function<bool(double)> proceed = internal::progress_callback(np);
-  const internal::Extraction_options options = internal::extraction_options(np);
+  internal::Stage_call call(np);
+  if (!call.is_well())
+    return Wireframe_graph<GeomTraits>();
   return internal::run_concurrently<ConcurrencyTag>(
-    [&] { return internal::build_graph(skeleton, corners, clusters, options, proceed); });
+    [&] { return internal::build_graph(skeleton, corners, clusters, call.options(), call.progress()); });
 }
 
 } // namespace Wireframe_extraction

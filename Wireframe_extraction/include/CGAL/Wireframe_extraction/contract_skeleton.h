@@ -15,9 +15,7 @@
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
 #include <CGAL/Wireframe_extraction/internal/field/contract.h>
-#include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
-
-#include <functional>
+#include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
 
 namespace CGAL {
 namespace Wireframe_extraction {
@@ -57,18 +55,28 @@ points around the skeleton that `select_skeleton()` kept are let go.
     \cgalParamDefault{unused}
     \cgalParamExtra{After cancelling, the skeleton is as it was before.}
   \cgalParamNEnd
+  \cgalParamNBegin{extraction_report}
+    \cgalParamDescription{a reference to what gets the status and the message: `std::ref(report)`}
+    \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
+    \cgalParamDefault{unused}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
+
+\return whether the skeleton is contracted. It is as it was before if not: after cancelling, or if a parameter is out
+of its range; the report says which.
 
 Complexity: O(n (log n + k)) for n points with k neighbors each. The result is the same for all tags.
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTraits,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
-void contract_skeleton(Wireframe_skeleton<GeomTraits>& skeleton,
+bool contract_skeleton(Wireframe_skeleton<GeomTraits>& skeleton,
                        const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const std::function<bool(double)> proceed = internal::progress_callback(np);
-  const internal::Extraction_options options = internal::extraction_options(np);
-  internal::run_concurrently<ConcurrencyTag>([&] { internal::contract(skeleton.data(), options, proceed); });
+  internal::Stage_call call(np);
+  if (!call.is_well())
+    return false;
+  return internal::run_concurrently<ConcurrencyTag>(
+    [&] { return internal::contract(skeleton.data(), call.options(), call.progress()); });
 }
 
 } // namespace Wireframe_extraction

@@ -15,7 +15,7 @@
 #include <CGAL/Wireframe_extraction/Wireframe_corner.h>
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/network/detect_corners.h>
-#include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
 
 #include <vector>
 
@@ -69,9 +69,15 @@ detects where curves meet. Two measures are at hand:
     \cgalParamType{`double`}
     \cgalParamDefault{3}
   \cgalParamNEnd
+  \cgalParamNBegin{extraction_report}
+    \cgalParamDescription{a reference to what gets the status and the message: `std::ref(report)`}
+    \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
+    \cgalParamDefault{unused}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the corners. Their centers are the centroids of their points.
+\return the corners. Their centers are the centroids of their points. There is none if a parameter is out of
+its range; the report has the reason.
 
 Complexity: O(n log n + n k) for n points with k neighbors in a ball.
 */
@@ -79,7 +85,10 @@ template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_na
 [[nodiscard]] std::vector<Wireframe_corner<GeomTraits>> detect_corners(
   const Wireframe_skeleton<GeomTraits>& skeleton, const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::detect_corners(skeleton, internal::extraction_options(np));
+  internal::Stage_call call(np);
+  if (!call.is_well())
+    return {};
+  return internal::detect_corners(skeleton, call.options());
 }
 
 } // namespace Wireframe_extraction

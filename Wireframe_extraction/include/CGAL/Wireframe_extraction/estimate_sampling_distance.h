@@ -15,6 +15,8 @@
 #include <CGAL/Wireframe_extraction/internal/cloud/Range_source.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/cloud_access.h>
+#include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/survey_for_stage.h>
 
 namespace CGAL {
 namespace Wireframe_extraction {
@@ -52,6 +54,17 @@ only about 0.55 r.
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{1048576}
   \cgalParamNEnd
+  \cgalParamNBegin{skip_invalid}
+    \cgalParamDescription{whether points that are not finite or have a negative distance are left out; otherwise they
+                          are an error}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{extraction_report}
+    \cgalParamDescription{a reference to what gets the status and the message: `std::ref(report)`}
+    \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
+    \cgalParamDefault{unused}
+  \cgalParamNEnd
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of a geometric traits class}
     \cgalParamType{a model of `WireframeExtractionTraits_3`}
@@ -59,8 +72,8 @@ only about 0.55 r.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the sampling distance in the cloud's unit; 0 if fewer than two different points exist. Points that are not
-finite or have a negative distance do not count.
+\return the sampling distance in the cloud's unit; 0 if fewer than two different points exist, or if there are invalid
+points that are not to be skipped. The report says which.
 
 Complexity: O(n log n) for n points.
 */
@@ -72,8 +85,17 @@ template <class PointRange, class NamedParameters = CGAL::parameters::Default_na
   const Access access(np);
   internal::Range_source<PointRange, Access> source(points, access);
   internal::Surveyed_cloud cloud(source, internal::points_in_memory(np));
-  cloud.survey();
-  return cloud.scale().sampling_distance;
+  internal::Stage_call call(np);
+  if (!internal::survey_for_stage(cloud, call, np))
+    return 0.;
+  const double sampling_distance = cloud.scale().sampling_distance;
+  if (!cloud.error().empty() || !(sampling_distance > 0.))
+  {
+    call.fail(Wireframe_extraction_report::Status::INVALID_INPUT,
+              cloud.error().empty() ? "there are fewer than two different points" : cloud.error());
+    return 0.;
+  }
+  return sampling_distance;
 }
 
 } // namespace Wireframe_extraction

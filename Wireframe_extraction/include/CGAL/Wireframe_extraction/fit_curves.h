@@ -17,9 +17,7 @@
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
 #include <CGAL/Wireframe_extraction/internal/fit/fit.h>
-#include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
-
-#include <functional>
+#include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
 
 namespace CGAL {
 namespace Wireframe_extraction {
@@ -79,9 +77,15 @@ along a spline cost the more the noisier the field is, so that splines do not fo
     \cgalParamType{an instance of `std::function<bool(double)>`}
     \cgalParamDefault{unused}
   \cgalParamNEnd
+  \cgalParamNBegin{extraction_report}
+    \cgalParamDescription{a reference to what gets the status and the message: `std::ref(report)`}
+    \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
+    \cgalParamDefault{unused}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the wireframe. After cancelling, its curves are as far as the fit had come, without residuals and support.
+\return the wireframe. After cancelling, its curves are as far as the fit had come, without residuals and support. It is
+empty if a parameter is out of its range. The report says what happened.
 
 Complexity: O(n log n) for n points per round, besides the solution of the sparse normal equations.
 */
@@ -91,9 +95,11 @@ template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTrai
                                                const Wireframe_graph<GeomTraits>& graph,
                                                const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const std::function<bool(double)> proceed = internal::progress_callback(np);
-  const internal::Extraction_options options = internal::extraction_options(np);
-  return internal::run_concurrently<ConcurrencyTag>([&] { return internal::fit(skeleton, graph, options, proceed); });
+  internal::Stage_call call(np);
+  if (!call.is_well())
+    return Wireframe<GeomTraits>();
+  return internal::run_concurrently<ConcurrencyTag>(
+    [&] { return internal::fit(skeleton, graph, call.options(), call.progress()); });
 }
 
 } // namespace Wireframe_extraction

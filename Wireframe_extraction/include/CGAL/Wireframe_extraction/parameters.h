@@ -18,6 +18,7 @@
 
 #ifndef DOXYGEN_RUNNING // the manual lists a parameter at each function that takes it
 #define CGAL_WIREFRAME_NP_LIST <CGAL/Wireframe_extraction/internal/options/parameters_interface.h>
+#define CGAL_WIREFRAME_SHARED_NP_LIST <CGAL/Wireframe_extraction/internal/options/shared_parameters_interface.h>
 #endif
 
 namespace CGAL {
@@ -52,6 +53,7 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
     return {k, *this};                                                      \
   }
 #include CGAL_WIREFRAME_NP_LIST
+#include CGAL_WIREFRAME_SHARED_NP_LIST
 #undef CGAL_add_named_parameter
 };
 #endif // DOXYGEN_RUNNING
@@ -68,6 +70,7 @@ using namespace CGAL::parameters;
     return {k};                                     \
   }
 #include CGAL_WIREFRAME_NP_LIST
+#include CGAL_WIREFRAME_SHARED_NP_LIST
 #undef CGAL_add_named_parameter
 #endif
 

@@ -13,10 +13,9 @@
 #define CGAL_WIREFRAME_EXTRACTION_RECOGNIZE_CURVE_TYPES_H
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
-#include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
-#include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
 #include <CGAL/Wireframe_extraction/internal/types/recognize.h>
 
 #include <functional>
@@ -67,7 +66,8 @@ all their curves, and where a cut joins a line and an arc, or two arcs, their ta
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{extraction_report}
-    \cgalParamDescription{a reference to what shall tell what was made regular: `std::ref(report)`}
+    \cgalParamDescription{a reference to what gets the status, the message, and what was made regular:
+                          `std::ref(report)`}
     \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
     \cgalParamDefault{unused}
   \cgalParamNEnd
@@ -98,7 +98,8 @@ all their curves, and where a cut joins a line and an arc, or two arcs, their ta
 
 \return the wireframe with types, parameters and their uncertainties. Its vertices are those of `wireframe`, in their order,
 then those of the cuts. The vertex of a closed curve that passes smoothly through it, and is alone there, is left out if the
-curve becomes a circle or an ellipse, or is cut elsewhere.
+curve becomes a circle or an ellipse, or is cut elsewhere. It is empty if a parameter is out of its range; the report has the
+reason.
 
 Complexity: O(n log n) for n points, besides the solution of the sparse normal equations. The number of places at which a curve
 may be cut is bounded.
@@ -109,17 +110,15 @@ template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTrai
   const Wireframe_skeleton<GeomTraits>& skeleton, const Wireframe<GeomTraits>& wireframe,
   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  Wireframe_extraction_report own_report;
-  Wireframe_extraction_report& report =
-    CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::extraction_report),
-                                       std::ref(own_report))
-      .get();
-  const internal::Extraction_options options = internal::extraction_options(np);
-  const std::function<bool(double)> proceed = internal::progress_callback(np);
+  internal::Stage_call call(np);
+  call.report().regularities.clear();
   Wireframe<GeomTraits> result;
+  if (!call.is_well())
+    return result;
+  const std::function<bool(double)> proceed = call.progress();
   internal::run_concurrently<ConcurrencyTag>([&] {
-    if (!internal::recognize(skeleton, wireframe, options, proceed, result, report.regularities))
-      report.status = Wireframe_extraction_report::Status::CANCELLED;
+    if (!internal::recognize(skeleton, wireframe, call.options(), proceed, result, call.report().regularities))
+      call.fail(Wireframe_extraction_report::Status::CANCELLED, "cancelled");
   });
   return result;
 }

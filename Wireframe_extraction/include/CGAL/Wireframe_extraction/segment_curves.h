@@ -15,7 +15,7 @@
 #include <CGAL/Wireframe_extraction/Wireframe_corner.h>
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/network/segment_curves.h>
-#include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
 
 #include <cstddef>
 #include <vector>
@@ -54,10 +54,15 @@ the other one's local curve. That separates curves that cross or run side by sid
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
+  \cgalParamNBegin{extraction_report}
+    \cgalParamDescription{a reference to what gets the status and the message: `std::ref(report)`}
+    \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
+    \cgalParamDefault{unused}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return for every curve the indices of its points in the skeleton, in ascending order. The curves are sorted by their
-first points.
+first points. There is none if a parameter is out of its range; the report has the reason.
 
 Complexity: O(n log n + n k) for n points with k neighbors each.
 */
@@ -66,7 +71,10 @@ template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_na
   const Wireframe_skeleton<GeomTraits>& skeleton, const std::vector<Wireframe_corner<GeomTraits>>& corners,
   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::segment_curves(skeleton, corners, internal::extraction_options(np));
+  internal::Stage_call call(np);
+  if (!call.is_well())
+    return {};
+  return internal::segment_curves(skeleton, corners, call.options());
 }
 
 } // namespace Wireframe_extraction

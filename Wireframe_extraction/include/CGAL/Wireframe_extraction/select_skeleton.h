@@ -16,15 +16,53 @@
 #include <CGAL/Wireframe_extraction/internal/cloud/Range_source.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/cloud_access.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/input_checks.h>
 #include <CGAL/Wireframe_extraction/internal/field/select_skeleton.h>
-#include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/survey_for_stage.h>
 
 #include <CGAL/number_utils.h>
 
-#include <utility>
+#include <cmath>
 
 namespace CGAL {
 namespace Wireframe_extraction {
+
+#ifndef DOXYGEN_RUNNING
+namespace internal {
+
+// empty if the report has something to say
+template <class NamedParameters>
+Skeleton_data selected_skeleton(Distance_cloud_source& source, Stage_call& call, const NamedParameters& np)
+{
+  typedef Wireframe_extraction_report::Status Status;
+  const double given = CGAL::to_double(
+    CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::sampling_distance), 0.));
+  Surveyed_cloud cloud(source, points_in_memory(np));
+  if (!survey_for_stage(cloud, call, np))
+    return Skeleton_data();
+  const double unit = given == 0. ? cloud.scale().sampling_distance : given;
+  if (!(unit > 0.) || !std::isfinite(unit))
+  {
+    call.fail(Status::INVALID_INPUT,
+              given == 0. ? "all points coincide" : "the sampling distance must be positive and finite");
+    return Skeleton_data();
+  }
+  Skeleton_data skeleton = select_skeleton(cloud, unit, call.options());
+  if (call.options().use_creases && skeleton.size() > 0)
+    select_surroundings(cloud, call.options(), skeleton);
+  if (!cloud.error().empty())
+  {
+    call.fail(Status::INVALID_INPUT, cloud.error());
+    return Skeleton_data();
+  }
+  if (skeleton.size() == 0)
+    call.fail(Status::NO_FEATURE, no_feature_message(cloud, unit, call.options().skeleton_distance));
+  return skeleton;
+}
+
+} // namespace internal
+#endif // DOXYGEN_RUNNING
 
 /*!
 \ingroup PkgWireframeExtractionFunctions
@@ -35,7 +73,7 @@ points below `support_distance`, which later stages fit to.
 \tparam PointRange a model of `ConstRange` whose iterators are forward iterators
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param points the cloud. \pre All coordinates and distances are finite, and no distance is negative.
+\param points the cloud
 \param np an optional sequence of named parameters:
 \cgalNamedParamsBegin
   \cgalParamNBegin{point_map}
@@ -81,6 +119,17 @@ points below `support_distance`, which later stages fit to.
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
+  \cgalParamNBegin{skip_invalid}
+    \cgalParamDescription{whether points that are not finite or have a negative distance are left out; otherwise they
+                          are an error}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{extraction_report}
+    \cgalParamDescription{a reference to what gets the status and the message: `std::ref(report)`}
+    \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
+    \cgalParamDefault{unused}
+  \cgalParamNEnd
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of a geometric traits class}
     \cgalParamType{a model of `WireframeExtractionTraits_3`}
@@ -88,7 +137,8 @@ points below `support_distance`, which later stages fit to.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the skeleton; it is empty if no point lies below the threshold or the sampling distance is 0.
+\return the skeleton; it is empty if no point lies below the threshold, if all points coincide, if there are invalid
+points that are not to be skipped, or if a parameter is out of its range. The report says which.
 
 Complexity: O(n) for n points and O(m log m) for the m points kept, after the estimation of the sampling distance.
 */
@@ -104,17 +154,8 @@ select_skeleton(const PointRange& points, const NamedParameters& np = CGAL::para
                 "pass the distances of the points to features with the named parameter distance_map()");
   const internal::Cloud_access<PointRange, NamedParameters> access(np);
   internal::Range_source<PointRange, internal::Cloud_access<PointRange, NamedParameters>> source(points, access);
-  internal::Surveyed_cloud cloud(source, internal::points_in_memory(np));
-  cloud.survey();
-  double unit = CGAL::to_double(
-    CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::sampling_distance), 0.));
-  if (!(unit > 0.))
-    unit = cloud.scale().sampling_distance;
-  const internal::Extraction_options options = internal::extraction_options(np);
-  internal::Skeleton_data skeleton = internal::select_skeleton(cloud, unit, options);
-  if (options.use_creases && skeleton.size() > 0)
-    internal::select_surroundings(cloud, options, skeleton);
-  return {std::move(skeleton), access.traits()};
+  internal::Stage_call call(np);
+  return {internal::selected_skeleton(source, call, np), access.traits()};
 }
 
 } // namespace Wireframe_extraction

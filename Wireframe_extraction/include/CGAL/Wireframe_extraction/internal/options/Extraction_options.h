@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -150,16 +149,7 @@ Extraction_options given_options(const NamedParameters& np)
   return options;
 }
 
-// what a single stage asks whether to go on
-template <class NamedParameters>
-std::function<bool(double)> progress_callback(const NamedParameters& np)
-{
-  const std::function<bool(double)> callback = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, CGAL::internal_np::callback), std::function<bool(double)>());
-  return [callback](double share) { return !callback || callback(share); };
-}
-
-// of a single stage: values out of their ranges are the caller's error
+// where there is nobody to tell that values are out of their ranges: they are the caller's error
 template <class NamedParameters>
 Extraction_options extraction_options(const NamedParameters& np)
 {

@@ -98,8 +98,8 @@ public:
   Wireframe<GeomTraits> run(Distance_cloud_source& source, bool is_reading_timed)
   {
     Default_visitor no_visitor;
-    auto given_visitor = CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(m_np, internal_np::visitor),
-                                                            std::ref(no_visitor));
+    auto given_visitor = CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(m_np, CGAL::internal_np::visitor), std::ref(no_visitor));
     auto& visitor = referred(given_visitor);
     if (!read(source, is_reading_timed) || !find_scale(visitor) || !find_skeleton(visitor) || !find_curves(visitor)
         || !fit_all(visitor))

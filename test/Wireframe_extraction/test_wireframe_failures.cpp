@@ -1,0 +1,219 @@
+// Stages and the one call fail alike: nothing is thrown, nothing is changed, and the report says why.
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Wireframe_extraction/Default_visitor.h>
+#include <CGAL/extract_wireframe.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef Kernel::Point_3 Point;
+typedef std::vector<std::pair<Point, double>> Cloud;
+typedef CGAL::Wireframe_extraction_report Report;
+typedef Report::Status Status;
+
+namespace WE = CGAL::Wireframe_extraction;
+namespace WP = CGAL::Wireframe_extraction::parameters;
+
+// ---- named parameters
+
+// identifiers and functions of a list, "visitor_t" and "visitor"
+std::vector<std::string> names_of_cgal()
+{
+  return {
+#define CGAL_add_named_parameter(X, Y, Z) #X, #Y, #Z,
+#define CGAL_add_named_parameter_with_compatibility(X, Y, Z) #X, #Y, #Z,
+#define CGAL_add_named_parameter_with_compatibility_cref_only(X, Y, Z) #X, #Y, #Z,
+#define CGAL_add_named_parameter_with_compatibility_ref_only(X, Y, Z) #X, #Y, #Z,
+#define CGAL_add_extra_named_parameter_with_compatibility(X, Y, Z) #X, #Y, #Z,
+#include <CGAL/STL_Extension/internal/parameters_interface.h>
+#undef CGAL_add_extra_named_parameter_with_compatibility
+#undef CGAL_add_named_parameter_with_compatibility_ref_only
+#undef CGAL_add_named_parameter_with_compatibility_cref_only
+#undef CGAL_add_named_parameter_with_compatibility
+  };
+}
+
+std::vector<std::string> names_of_ours()
+{
+  return {
+#include CGAL_WIREFRAME_NP_LIST
+  };
+}
+
+std::vector<std::string> names_of_shared()
+{
+  return
+  {
+#include CGAL_WIREFRAME_SHARED_NP_LIST
+#undef CGAL_add_named_parameter
+  };
+}
+
+// A parameter of both lists would be two, and the one of CGAL would be passed over.
+void test_lists_are_disjoint()
+{
+  const std::vector<std::string> cgal = names_of_cgal();
+  assert(cgal.size() > 100 && names_of_ours().size() > 100);
+  const auto has = [&](const std::string& name) { return std::find(cgal.begin(), cgal.end(), name) != cgal.end(); };
+  for (const std::string& name : names_of_ours())
+    assert(!has(name));
+  for (const std::string& name : names_of_shared())
+    assert(has(name));
+}
+
+struct Counting_visitor : WE::Default_visitor
+{
+  int number_of_calls = 0;
+  void sampling_distance_estimated(double) { ++number_of_calls; }
+};
+
+// the edge of a roof: its points, and their distances to the ridge
+Cloud roof(double height = 0.5)
+{
+  Cloud cloud;
+  const double r = 0.05;
+  for (int i = 0; i < 40; ++i)
+    for (int j = -15; j <= 15; ++j)
+      cloud.emplace_back(Point(r * i, r * j, -height * r * std::abs(j)), r * std::abs(j) * std::hypot(1., height));
+  return cloud;
+}
+
+void test_visitors()
+{
+  Counting_visitor visitor;
+  (void)CGAL::extract_wireframe(roof(), CGAL::parameters::visitor(std::ref(visitor)));
+  assert(visitor.number_of_calls == 1);
+  (void)CGAL::extract_wireframe(roof(), WP::visitor(std::ref(visitor)).use_creases(false));
+  assert(visitor.number_of_calls == 2);
+  // what CGAL has may stand before what it has not, and after
+  (void)CGAL::extract_wireframe(
+    roof(), WP::callback([](double) { return true; }).use_creases(false).visitor(std::ref(visitor)).noise_level(0.1));
+  assert(visitor.number_of_calls == 3);
+}
+
+// ---- failures
+
+bool says(const Report& report, const std::string& text) { return report.message.find(text) != std::string::npos; }
+
+void spoil(Report& report)
+{
+  report.status = Status::NO_FEATURE;
+  report.message = "before";
+}
+
+// the first stages and the whole refuse the cloud for the same reason
+void test_cloud(const Cloud& cloud, const std::string& text)
+{
+  Report report;
+  assert(WE::estimate_sampling_distance(cloud, WP::extraction_report(std::ref(report))) == 0.);
+  assert(report.status == Status::INVALID_INPUT && says(report, text));
+  spoil(report);
+  assert(WE::select_skeleton(cloud, WP::extraction_report(std::ref(report))).is_empty());
+  assert(report.status == Status::INVALID_INPUT && says(report, text));
+  spoil(report);
+  assert(CGAL::extract_wireframe(cloud, WP::extraction_report(std::ref(report))).is_empty());
+  assert(report.status == Status::INVALID_INPUT && says(report, text));
+}
+
+void test_clouds()
+{
+  test_cloud(Cloud(), "no points");
+  Cloud cloud = roof();
+  cloud[7].first = Point(0., std::numeric_limits<double>::quiet_NaN(), 0.);
+  cloud[9].second = -1.;
+  test_cloud(cloud, "the first is the point with index 7");
+  Report report;
+  assert(WE::estimate_sampling_distance(cloud, WP::skip_invalid(true).extraction_report(std::ref(report))) > 0.);
+  assert(report.status == Status::SUCCESS && report.message.empty());
+  assert(!WE::select_skeleton(cloud, WP::skip_invalid(true).extraction_report(std::ref(report))).is_empty());
+  assert(report.status == Status::SUCCESS && report.message.empty());
+
+  const Cloud same(100, std::make_pair(Point(1, 2, 3), 0.));
+  assert(WE::select_skeleton(same, WP::extraction_report(std::ref(report))).is_empty());
+  assert(report.status == Status::INVALID_INPUT && says(report, "coincide"));
+  for (const double r : {-1., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+  {
+    assert(WE::select_skeleton(roof(), WP::sampling_distance(r).extraction_report(std::ref(report))).is_empty());
+    assert(report.status == Status::INVALID_INPUT && says(report, "sampling distance"));
+  }
+  Cloud far = roof();
+  for (auto& sample : far)
+    sample.second += 5.;
+  assert(WE::select_skeleton(far, WP::extraction_report(std::ref(report))).is_empty());
+  assert(report.status == Status::NO_FEATURE && !report.message.empty());
+}
+
+// every stage refuses parameters out of their ranges, and leaves what it would have changed
+void test_parameters()
+{
+  const auto skeleton = WE::select_skeleton(roof());
+  auto changed = skeleton;
+  Report report;
+  const auto refused = [&](const char* name) {
+    const bool is_refused = report.status == Status::INVALID_INPUT && says(report, name);
+    spoil(report);
+    return is_refused;
+  };
+  const auto bad = WP::fitting_radius(-4.).extraction_report(std::ref(report));
+  assert(WE::select_skeleton(roof(), bad).is_empty() && refused("fitting_radius"));
+  assert(!WE::contract_skeleton(changed, bad) && !changed.is_contracted() && refused("fitting_radius"));
+  assert(WE::contract_skeleton(changed) && changed.is_contracted());
+  assert(!WE::refine_field(changed, bad) && refused("fitting_radius"));
+  const auto corners = WE::detect_corners(changed);
+  assert(WE::detect_corners(changed, bad).empty() && refused("fitting_radius"));
+  const auto clusters = WE::segment_curves(changed, corners);
+  assert(!clusters.empty());
+  assert(WE::segment_curves(changed, corners, bad).empty() && refused("fitting_radius"));
+  const auto graph = WE::build_topological_graph(changed, corners, clusters);
+  assert(num_edges(graph) > 0);
+  assert(num_vertices(WE::build_topological_graph(changed, corners, clusters, bad)) == 0 && refused("fitting_radius"));
+  const auto wireframe = WE::fit_curves(changed, graph);
+  assert(!wireframe.is_empty());
+  assert(WE::fit_curves(changed, graph, bad).is_empty() && refused("fitting_radius"));
+  assert(WE::recognize_curve_types(changed, wireframe, bad).is_empty() && refused("fitting_radius"));
+  assert(!WE::recognize_curve_types(changed, wireframe, WP::extraction_report(std::ref(report))).is_empty());
+  assert(report.status == Status::SUCCESS && report.message.empty());
+}
+
+// a stage that was cancelled can be told from one that was not
+void test_cancelling()
+{
+  Cloud cloud = roof();
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    cloud[i].second += 0.02 * ((i * 7919) % 13) / 13.; // too noisy to be precise
+  auto skeleton = WE::select_skeleton(cloud);
+  Report report;
+  const auto stop = WP::callback([](double) { return false; }).extraction_report(std::ref(report));
+  assert(!WE::contract_skeleton(skeleton, stop) && report.status == Status::CANCELLED && !skeleton.is_contracted());
+  assert(WE::contract_skeleton(skeleton, WP::extraction_report(std::ref(report))));
+  assert(report.status == Status::SUCCESS && skeleton.is_contracted());
+  assert(!WE::refine_field(skeleton, stop) && report.status == Status::CANCELLED && report.message == "cancelled");
+  assert(WE::refine_field(skeleton, WP::extraction_report(std::ref(report))) && report.status == Status::SUCCESS);
+  const auto corners = WE::detect_corners(skeleton);
+  const auto clusters = WE::segment_curves(skeleton, corners);
+  (void)WE::build_topological_graph(skeleton, corners, clusters, stop);
+  assert(report.status == Status::CANCELLED);
+  const auto graph = WE::build_topological_graph(skeleton, corners, clusters, WP::extraction_report(std::ref(report)));
+  assert(report.status == Status::SUCCESS);
+  (void)WE::fit_curves(skeleton, graph, stop);
+  assert(report.status == Status::CANCELLED);
+}
+
+int main()
+{
+  test_lists_are_disjoint();
+  test_visitors();
+  test_clouds();
+  test_parameters();
+  test_cancelling();
+  return 0;
+}
