@@ -34,7 +34,8 @@ NAMES_OF_VALUES = ("parameters.h", "policies.h")
 
 FOLDERS = ("Wireframe_extraction", "test", "examples", "benchmark")   # of C++
 # these are included several times, with other macros each time
-WITHOUT_GUARD = ("CGAL/Wireframe_extraction/internal/options/parameters_interface.h",)
+WITHOUT_GUARD = ("CGAL/Wireframe_extraction/internal/options/parameters_interface.h",
+                 "CGAL/Wireframe_extraction/internal/options/shared_parameters_interface.h")
 CLANG_FORMAT_VERSION = 14
 
 
