@@ -14,55 +14,12 @@
 
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Range_source.h>
-#include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/cloud_access.h>
-#include <CGAL/Wireframe_extraction/internal/cloud/input_checks.h>
-#include <CGAL/Wireframe_extraction/internal/field/select_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
-#include <CGAL/Wireframe_extraction/internal/pipeline/survey_for_stage.h>
-
-#include <CGAL/number_utils.h>
-
-#include <cmath>
+#include <CGAL/Wireframe_extraction/internal/pipeline/selected_skeleton.h>
 
 namespace CGAL {
 namespace Wireframe_extraction {
-
-#ifndef DOXYGEN_RUNNING
-namespace internal {
-
-// empty if the report has something to say
-template <class NamedParameters>
-Skeleton_data selected_skeleton(Distance_cloud_source& source, Stage_call& call, const NamedParameters& np)
-{
-  typedef Wireframe_extraction_report::Status Status;
-  const double given = CGAL::to_double(
-    CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::sampling_distance), 0.));
-  Surveyed_cloud cloud(source, points_in_memory(np));
-  if (!survey_for_stage(cloud, call, np))
-    return Skeleton_data();
-  const double unit = given == 0. ? cloud.scale().sampling_distance : given;
-  if (!(unit > 0.) || !std::isfinite(unit))
-  {
-    call.fail(Status::INVALID_INPUT,
-              given == 0. ? "all points coincide" : "the sampling distance must be positive and finite");
-    return Skeleton_data();
-  }
-  Skeleton_data skeleton = select_skeleton(cloud, unit, call.options());
-  if (call.options().use_creases && skeleton.size() > 0)
-    select_surroundings(cloud, call.options(), skeleton);
-  if (!cloud.error().empty())
-  {
-    call.fail(Status::INVALID_INPUT, cloud.error());
-    return Skeleton_data();
-  }
-  if (skeleton.size() == 0)
-    call.fail(Status::NO_FEATURE, no_feature_message(cloud, unit, call.options().skeleton_distance));
-  return skeleton;
-}
-
-} // namespace internal
-#endif // DOXYGEN_RUNNING
 
 /*!
 \ingroup PkgWireframeExtractionFunctions
