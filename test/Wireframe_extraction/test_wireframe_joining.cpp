@@ -538,7 +538,7 @@ void test_extension_of_free_ends()
   // a little ahead, behind, aside, or too far
   for (double ahead : {0.5, 4., 7.9, -0.8})
     assert(target_of_extension({Vector(ahead, 0.2, 0.)}) == 0);
-  assert(target_of_extension({Vector(4., 1.5, 0.)}) == 1);
+  assert(target_of_extension({Vector(4., 2.5, 0.)}) == 1);
   assert(target_of_extension({Vector(8.1, 0., 0.)}) == 1);
   // the nearest one, which may lie ahead while another one lies behind
   assert(target_of_extension({Vector(5., 0., 0.), Vector(3., 0., 0.)}) == 1);
