@@ -180,6 +180,19 @@ void test_several_ends_on_one_segment()
     }
 }
 
+// An end keeps its place also after the curve that it belongs to was split.
+void test_end_of_a_curve_that_is_split()
+{
+  Curve_network network(std::vector<Traced_curve>{
+    open_curve(straight(Vector(0., 0., 0.), Vector(0., 29.8, 0.))),
+    open_curve(straight(Vector(-30., 30., 0.), Vector(30., 30., 0.))),
+    open_curve(straight(Vector(20., 15.25, 0.), Vector(0.2, 15.25, 0.))),
+  });
+  Corner_merger(network, options).attach_ends_to_passing_curves();
+  check_ends(network);
+  assert(are_near(sorted_lengths(network), {14.75, 15.25, 20., 30., 30.}, 1e-6));
+}
+
 // Two splits at the same place of a curve are one node, and no piece without length lies between them.
 void test_two_splits_at_one_place()
 {
@@ -211,6 +224,34 @@ void test_ends_that_agree_become_one_corner()
     check_ends(network);
     assert(number_of_ends_at(network, corner, 0.2) == 3);
     assert(number_of_ends_at(network, corner, 12.) == 3);
+  }
+}
+
+// ends that pass each other are no corner
+void test_ends_that_disagree()
+{
+  for (double apart : {0.5, 2.})
+  {
+    Curve_network network(
+      std::vector<Traced_curve>{open_curve(straight(Vector(20., 0., 0.), Vector(0.3, 0., 0.))),
+                                open_curve(straight(Vector(0., 20., apart), Vector(0., 0.3, apart)))});
+    Corner_merger(network, options).merge_nodes_that_agree();
+    assert((network.curves[0].nodes[1] == network.curves[1].nodes[1]) == (apart < 1.));
+  }
+}
+
+// joints that turn by less than 20 degrees are none
+void test_smooth_joints()
+{
+  for (double turn : {0.3, 0.4, 1.5})
+  {
+    const Vector middle(0., 0., 0.);
+    Curve_network network = network_of(
+      {straight(Vector(-20., 0., 0.), middle), straight(middle, 20. * Vector(std::cos(turn), std::sin(turn), 0.))});
+    Curve_end_joiner(network, options).prune([](const std::vector<const Polyline*>& lines) {
+      return std::vector<char>(lines.size(), 1);
+    });
+    assert(living(network).size() == (turn < 0.35 ? 1u : 2u));
   }
 }
 
@@ -538,7 +579,7 @@ void test_extension_of_free_ends()
   // a little ahead, behind, aside, or too far
   for (double ahead : {0.5, 4., 7.9, -0.8})
     assert(target_of_extension({Vector(ahead, 0.2, 0.)}) == 0);
-  assert(target_of_extension({Vector(4., 1.5, 0.)}) == 1);
+  assert(target_of_extension({Vector(4., 2.5, 0.)}) == 1);
   assert(target_of_extension({Vector(8.1, 0., 0.)}) == 1);
   // the nearest one, which may lie ahead while another one lies behind
   assert(target_of_extension({Vector(5., 0., 0.), Vector(3., 0., 0.)}) == 1);
@@ -586,7 +627,10 @@ int main()
 {
   test_split_of_a_curve_whose_end_splits_another_one();
   test_several_ends_on_one_segment();
+  test_end_of_a_curve_that_is_split();
   test_two_splits_at_one_place();
+  test_ends_that_disagree();
+  test_smooth_joints();
   test_ends_that_agree_become_one_corner();
   test_many_corners();
   test_ends_of_a_short_curve_do_not_meet();
