@@ -60,7 +60,7 @@ public:
     bool is_valid() const { return curve != no_curve; }
   };
 
-  // r, about the largest radius that is asked for: a query looks at 27 cells at most
+  // r, about the largest radius that is asked for: a query looks at few cells
   static constexpr double default_cell = 4.;
   explicit Segment_grid(double cell = default_cell) : m_cell(cell) {}
 

@@ -45,7 +45,7 @@ struct Crease
 
   // what turns less, 20 degrees, is smooth, as it is where chains of edges pass a vertex
   static constexpr double least_sharp_fold = 0.35;
-  // of the strips, per r: a cylinder of a radius of 5 r has the same feature from both sides within the ball of a fit
+  // of the strips, per r: a radius of 5 r, about that of the ball of a fit
   static constexpr double largest_curvature = 0.2;
 
   // whether the surface is folded there beyond doubt
@@ -119,7 +119,7 @@ class Crease_fit
   static constexpr double radius_factors[] = {1.5, 1., 0.6, 0.4};
   // balls behind the front by this share of their radii, where these are not the smallest ones
   static constexpr double shift_back = 0.6, least_factor_to_shift = 0.5;
-  // The residual of a crease that is as expected exceeds the noise by no more than that: it is known to ten per cent.
+  // The residual of a crease that is as expected exceeds the noise by no more than that: that of fifty points is known to ten per cent.
   static constexpr double residual_inflation = 1.2;
   // below this noise a corner ahead shows in the residual
   static constexpr double least_noise_to_hide_corners = 0.05;

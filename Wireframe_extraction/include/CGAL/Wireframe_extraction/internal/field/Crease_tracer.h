@@ -64,14 +64,13 @@ class Crease_tracer
   static constexpr double step = 0.5;
   // Without a crease, then the curve ends: three steps, for the ball of a fit reaches that far beyond a bad place.
   static constexpr double longest_miss = 1.6;
-  // On a crease which the field does not see. Regressors miss whole edges, but hardly longer ones.
+  // On a crease which the field does not see: a regressor may miss a whole edge. A choice, not measured.
   static constexpr double longest_gap = 40.;
   // steps of the path that are no news to the front: 4 r, the radius of a fit
   static constexpr std::size_t trail = 8;
   // so many steps along another curve end this one: one or two may be a crossing
   static constexpr std::size_t most_covered = 3;
-  // Two curves closer than that, and than the surface errs, are one: nearest neighbors of a curve's points, half of which
-  // lie on each side, are that far away.
+  // Two curves closer than that, and than the surface errs, are one: hardly a point lies between them.
   static constexpr double least_reach = 0.4;
   // how well a crease must be known to start from, in multiples of the field's noise: it must know more than the field
   static constexpr double start_deviation = 0.8, least_start_deviation = 0.03;

@@ -46,16 +46,15 @@ struct Field_band
   }
 };
 
-// How far a distance of this standard deviation may be from the one to a curve that it agrees with. Curves that are
-// traced on exact fields are off by up to a fifth of r where they bend or end.
+// How far a distance of this standard deviation may be from the one to a curve that it agrees with. The least is for
+// exact fields, where it is the curve that is not exact.
 inline double agreement_tolerance(double deviation)
 {
   static constexpr double least = 0.2;
   return (std::max)(least, exceeded_by_one_in_80 * deviation);
 }
 
-// Residuals beyond it belong to no curve, where the field's noise level is `noise`: on exact fields, next to corners and
-// between curves half a sampling distance apart.
+// Residuals beyond it belong to no curve, where the field's noise level is `noise`. The least is for exact fields.
 inline double residual_cutoff(double noise)
 {
   static constexpr double least = 0.5;

@@ -71,7 +71,7 @@ class Field_refinement
   static constexpr double flat_radius = 1.5, flat_residual = 0.05;
   // Of a curve along creases. Shorter ones end within the ball of the fit that they start from.
   static constexpr double least_length = 3.;
-  // the share of it with which the field must agree: a crease the field denies for the most part is a ridge of noise
+  // the share of it with which the field must agree: what it denies for the most part is no feature
   static constexpr double least_support = 0.3;
   // seeds that are followed at the same time lie that far apart, most of them on different curves
   static constexpr double far_apart = 30.;
