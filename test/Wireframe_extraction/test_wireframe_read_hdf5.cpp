@@ -146,12 +146,13 @@ void test_lzf()
     writer.add_lzf("before", distances_of(cloud), {6, 1000}, [](std::vector<unsigned char>& data) {
       data = {0, 7, 0xff, 0xff, 1}; // a byte, and what would have to come before it
     });
-    writer.add_lzf("empty", distances_of(cloud), {6, 1000}, [](std::vector<unsigned char>& data) { data = {31}; });
+    writer.add_lzf("run", distances_of(cloud), {6, 1000},
+                   [](std::vector<unsigned char>& data) { data.assign(30, 31); });
     writer.add_filtered("foreign", {6000}, {6000}, 32099, {});
   }
   assert(read(file.name) == cloud);
   assert(read(file.name, {"", "equal", ""})[4567].second == 3.);
-  for (const char* const name : {"short", "long", "before", "empty"})
+  for (const char* const name : {"short", "long", "before", "run"})
     refuse(file, {"\"" + std::string(name) + "\" cannot be read", "damaged"}, {"", name, ""});
   refuse(file, {"\"foreign\"", "filter", "32099", "h5repack"}, {"", "foreign", ""});
 }
