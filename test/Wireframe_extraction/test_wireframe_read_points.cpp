@@ -54,7 +54,7 @@ void test_point_sets()
   assert(points.has_property_map<double>("distance"));
   auto distances = points.add_property_map<double>("distance", -1.).first; // the one that is there
   std::size_t i = 0;
-  for (const auto index : points)
+  for (const auto& index : points)
   {
     assert(points.point(index) == expected[i].first && get(distances, index) == expected[i].second);
     ++i;
@@ -63,7 +63,7 @@ void test_point_sets()
 
 void test_streams()
 {
-  for (const std::string format : {"xyz", ".TXT", "csv"})
+  for (const std::string& format : std::vector<std::string>{"xyz", ".TXT", "csv"})
   {
     std::istringstream stream(text);
     Cloud cloud;
@@ -75,13 +75,13 @@ void test_streams()
   Cloud cloud;
   assert(CGAL::IO::read_distance_cloud(ply, "ply", cloud) && cloud == expected);
   std::string error;
-  for (const std::string format : {"h5", "jpg", ""})
+  for (const std::string& format : std::vector<std::string>{"h5", "jpg", ""})
   {
     std::istringstream stream(text);
     assert(!CGAL::IO::read_distance_cloud(stream, format, cloud, parameters::error_message(&error)));
     assert(error.find("unknown format") != std::string::npos && cloud == expected);
   }
-  for (const std::string content : {"", bad_text})
+  for (const std::string& content : std::vector<std::string>{"", bad_text})
   {
     std::istringstream stream(content);
     assert(!CGAL::IO::read_distance_cloud(stream, "xyz", cloud, parameters::error_message(&error)));
