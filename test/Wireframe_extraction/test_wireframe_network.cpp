@@ -275,13 +275,14 @@ void test_evidence_at_a_front()
   explanation.add(straight(Vector(-20., 0.6, 0.), Vector(20., 0.6, 0.)));
   explanation.add(straight(Vector(-20., 0., -0.6), Vector(20., 0., -0.6)));
   Curve_tracer ignorant(crowded_band, Tracing_options()), knowing(crowded_band, Tracing_options(), &explanation);
-  std::size_t hidden = 0;
+  std::size_t hidden = 0, supported = 0;
   for (double x = -15.; x < 15.; ++x)
   {
-    assert(knowing.evidence(along_x(x)) == Curve_tracer::SUPPORT);
+    assert(knowing.evidence(along_x(x)) != Curve_tracer::CONTRADICTION);
+    supported += knowing.evidence(along_x(x)) == Curve_tracer::SUPPORT;
     hidden += ignorant.evidence(along_x(x)) == Curve_tracer::CONTRADICTION;
   }
-  assert(hidden > 15);
+  assert(hidden > 15 && supported > 25);
 }
 
 // Curve_evidence --------------------------------------------------------------------------------------
@@ -357,7 +358,6 @@ void test_gains_of_curves()
         assert(other != c && std::find(back.begin(), back.end(), c) != back.end());
       }
     }
-    assert(scores.gains[0] > 10.);
     for (double x : {-20., -5., 2., 9.})
       for (double radius : {2., 4.})
         assert(std::abs(evidence.loss_around(Vector(x, 0.3, 0.), radius, {&line, &rest})
