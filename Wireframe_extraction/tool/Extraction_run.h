@@ -5,6 +5,7 @@
 
 #include "Command_line.h"
 #include "Error.h"
+#include "Kernel.h"
 #include "Options.h"
 #include "Output_files.h"
 #include "Progress.h"
@@ -21,8 +22,6 @@
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 #include <CGAL/extract_wireframe.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -41,7 +40,6 @@
 
 namespace tool {
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Wireframe<Kernel> Wireframe;
 typedef CGAL::Wireframe_extraction_report Report;
 namespace parameters = CGAL::Wireframe_extraction::parameters;

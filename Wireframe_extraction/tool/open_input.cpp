@@ -1,12 +1,11 @@
 #include "open_input.h"
+#include "Kernel.h"
 
 #include <CGAL/Wireframe_extraction/IO/Distance_cloud_file.h>
 #include <CGAL/Wireframe_extraction/IO/read_distance_cloud.h>
 #include <CGAL/Wireframe_extraction/IO/read_distance_patches.h>
 #include <CGAL/Wireframe_extraction/fuse_distance_patches.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <filesystem>
 #include <system_error>
@@ -16,7 +15,7 @@ namespace tool {
 namespace {
 
 namespace wireframe = CGAL::Wireframe_extraction;
-typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
+typedef Kernel::Point_3 Point;
 typedef std::vector<std::pair<Point, double>> Cloud;
 
 class Cloud_in_file : public Input_cloud

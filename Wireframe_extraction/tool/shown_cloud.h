@@ -3,12 +3,11 @@
 #ifndef EXTRACT_WIREFRAME_SHOWN_CLOUD_H
 #define EXTRACT_WIREFRAME_SHOWN_CLOUD_H
 
+#include "Kernel.h"
 #include "open_input.h"
 
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/curve_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/wireframe_tools.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
@@ -22,7 +21,7 @@
 
 namespace tool {
 
-typedef std::vector<std::pair<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3, double>> Cloud;
+typedef std::vector<std::pair<Kernel::Point_3, double>> Cloud;
 
 // more points than this make pages and pictures large, and none of them is missed
 constexpr std::size_t most_shown_points = 1000000;
@@ -49,8 +48,7 @@ inline bool sample(Input_cloud& cloud, Cloud& result)
   });
 }
 
-inline CGAL::IO::internal::Coordinates coordinates_of(
-  const CGAL::Exact_predicates_inexact_constructions_kernel::Point_3& point)
+inline CGAL::IO::internal::Coordinates coordinates_of(const Kernel::Point_3& point)
 {
   return {{point.x(), point.y(), point.z()}};
 }

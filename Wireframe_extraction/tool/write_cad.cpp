@@ -1,4 +1,5 @@
 #include "write_cad.h"
+#include "Kernel.h"
 
 #include <CGAL/Wireframe_extraction/IO/write_wireframe_brep.h>
 #include <CGAL/Wireframe_extraction/IO/write_wireframe_iges.h>
@@ -7,8 +8,7 @@
 
 namespace tool {
 
-bool write_cad(const std::string& extension, std::ostream& stream,
-               const CGAL::Wireframe<CGAL::Exact_predicates_inexact_constructions_kernel>& wireframe,
+bool write_cad(const std::string& extension, std::ostream& stream, const CGAL::Wireframe<Kernel>& wireframe,
                CGAL::Wireframe_extraction::Length_unit unit, CGAL::Wireframe_extraction::Step_schema schema,
                std::string& error)
 {

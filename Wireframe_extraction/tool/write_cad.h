@@ -4,10 +4,10 @@
 #ifndef EXTRACT_WIREFRAME_WRITE_CAD_H
 #define EXTRACT_WIREFRAME_WRITE_CAD_H
 
+#include "Kernel.h"
+
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/policies.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <iosfwd>
 #include <string>
@@ -15,8 +15,7 @@
 namespace tool {
 
 // Writes STEP, IGES or BREP after the extension, which is in lower case and has its dot.
-bool write_cad(const std::string& extension, std::ostream& stream,
-               const CGAL::Wireframe<CGAL::Exact_predicates_inexact_constructions_kernel>& wireframe,
+bool write_cad(const std::string& extension, std::ostream& stream, const CGAL::Wireframe<Kernel>& wireframe,
                CGAL::Wireframe_extraction::Length_unit unit, CGAL::Wireframe_extraction::Step_schema schema,
                std::string& error);
 

@@ -1,5 +1,6 @@
 #include "write_page.h"
 
+#include "Kernel.h"
 #include "shown_cloud.h"
 
 #include <CGAL/Wireframe_extraction/IO/internal/file/byte_tools.h>
@@ -41,7 +42,6 @@ bool has_viewer() { return false; }
 
 namespace {
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::IO::internal::Coordinates Coordinates;
 typedef nlohmann::json Json;
 

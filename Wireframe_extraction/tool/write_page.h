@@ -3,12 +3,11 @@
 #ifndef EXTRACT_WIREFRAME_WRITE_PAGE_H
 #define EXTRACT_WIREFRAME_WRITE_PAGE_H
 
+#include "Kernel.h"
 #include "Stage_recorder.h"
 #include "shown_cloud.h"
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <iosfwd>
 #include <string>
@@ -39,8 +38,7 @@ bool has_viewer();
 
 // Writes the page. What is wrong with the wireframe or the cloud is told in `error`.
 bool write_page(std::ostream& stream, const Page_texts& texts, const Cloud& cloud,
-                const std::vector<Recorded_stage>& stages,
-                const CGAL::Wireframe<CGAL::Exact_predicates_inexact_constructions_kernel>& wireframe,
+                const std::vector<Recorded_stage>& stages, const CGAL::Wireframe<Kernel>& wireframe,
                 std::string& error);
 
 } // namespace tool

@@ -1,6 +1,7 @@
 #include "write_picture.h"
 
 #include "Canvas.h"
+#include "Kernel.h"
 #include "shown_cloud.h"
 
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/Sampled_wireframe.h>
@@ -31,8 +32,7 @@ namespace tool {
 
 bool has_png() { return false; }
 
-bool write_picture(std::ostream&, View, const Cloud&,
-                   const CGAL::Wireframe<CGAL::Exact_predicates_inexact_constructions_kernel>&, std::string& error)
+bool write_picture(std::ostream&, View, const Cloud&, const CGAL::Wireframe<Kernel>&, std::string& error)
 {
   error = "the tool was built without libpng";
   return false;
@@ -44,7 +44,6 @@ bool has_png() { return true; }
 
 namespace {
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::IO::internal::Coordinates Coordinates;
 typedef CGAL::IO::internal::Spline_vector Vector;
 

@@ -4,11 +4,10 @@
 #ifndef EXTRACT_WIREFRAME_WRITE_PICTURE_H
 #define EXTRACT_WIREFRAME_WRITE_PICTURE_H
 
+#include "Kernel.h"
 #include "shown_cloud.h"
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <iosfwd>
 #include <string>
@@ -28,8 +27,7 @@ enum class View
 bool has_png();
 
 // Writes the picture. What is wrong with the wireframe or the cloud is told in `error`.
-bool write_picture(std::ostream& stream, View view, const Cloud& cloud,
-                   const CGAL::Wireframe<CGAL::Exact_predicates_inexact_constructions_kernel>& wireframe,
+bool write_picture(std::ostream& stream, View view, const Cloud& cloud, const CGAL::Wireframe<Kernel>& wireframe,
                    std::string& error);
 
 } // namespace tool

@@ -1,6 +1,6 @@
 // From a cloud in a file to a wireframe in a file.
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Wireframe_extraction/IO/read_distance_cloud.h>
 #include <CGAL/Wireframe_extraction/IO/write_wireframe.h>
 #include <CGAL/extract_wireframe.h>
@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Simple_cartesian<double> Kernel;
 typedef std::pair<Kernel::Point_3, Kernel::FT> Point_with_distance;
 
 namespace parameters = CGAL::Wireframe_extraction::parameters;

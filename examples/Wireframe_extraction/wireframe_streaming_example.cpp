@@ -1,4 +1,4 @@
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Wireframe_extraction/Distance_cloud_filter.h>
 #include <CGAL/Wireframe_extraction/IO/Distance_cloud_file.h>
 #include <CGAL/extract_wireframe.h>
@@ -8,7 +8,7 @@
 #include <iostream>
 #include <utility>
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_3 Point_3;
 namespace parameters = CGAL::Wireframe_extraction::parameters;
 
