@@ -12,10 +12,6 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_GRAPH_PATHS_IMPL_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_GRAPH_PATHS_IMPL_H
 
-#if defined(__GNUC__)
-#pragma GCC system_header // or g++ warns falsely of edges of Boost that CGAL collects
-#endif
-
 #include <CGAL/Wireframe_extraction/internal/fit/graph_paths.h>
 
 #include <CGAL/boost/graph/split_graph_into_polylines.h>
@@ -39,6 +35,11 @@ struct Path_collector
   void end_polyline() {}
 };
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized" // a false one, about edges of Boost that CGAL collects
+#endif
+
 inline std::vector<std::vector<std::size_t>> split_into_paths(const Polyline_graph& graph)
 {
   typedef boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> Graph;
@@ -51,6 +52,10 @@ inline std::vector<std::vector<std::size_t>> split_into_paths(const Polyline_gra
                                    [&](std::size_t v, const Graph&) { return graph.is_corner[v] != 0; });
   return paths;
 }
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
 
 CGAL_WIREFRAME_EXTRACTION_INLINE std::vector<Fitted_curve> curves_to_fit(const Polyline_graph& graph,
                                                                          std::vector<Vector>& vertices)
