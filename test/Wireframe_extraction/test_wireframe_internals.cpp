@@ -1,5 +1,6 @@
 // Parts of the stages, on what is known in closed form or by trying all.
 
+#include <CGAL/Wireframe_extraction/internal/base/different_positions.h>
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
 #include <CGAL/Wireframe_extraction/internal/field/polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_end_joiner.h>

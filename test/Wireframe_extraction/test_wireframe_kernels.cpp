@@ -2,6 +2,13 @@
 
 #include "sample_clouds.h"
 
+#include <CGAL/Wireframe_extraction/build_topological_graph.h>
+#include <CGAL/Wireframe_extraction/contract_skeleton.h>
+#include <CGAL/Wireframe_extraction/detect_corners.h>
+#include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
+#include <CGAL/Wireframe_extraction/fit_curves.h>
+#include <CGAL/Wireframe_extraction/segment_curves.h>
+#include <CGAL/Wireframe_extraction/select_skeleton.h>
 #include <CGAL/extract_wireframe.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
