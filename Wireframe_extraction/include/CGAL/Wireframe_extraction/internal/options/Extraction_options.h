@@ -28,8 +28,7 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// All thresholds with their defaults, in one place. Lengths are in multiples of the sampling distance, angles in
-// degrees; a negative value stands for "follows from the cloud".
+// All that a user may set, with the defaults. Thresholds of a single step stand in its own file.
 struct Extraction_options
 {
   double noise_level = -1.;
