@@ -25,9 +25,12 @@ USER_MANUAL = PAGES / "Wireframe_extraction.txt"
 OPTIONS = HEADERS / "Wireframe_extraction/internal/options/Extraction_options.h"
 PARAMETER_LIST = HEADERS / "Wireframe_extraction/internal/options/parameters_interface.h"
 # where the stages read their parameters, besides their own headers
-STAGES = {"select_skeleton.h": (), "contract_skeleton.h": (), "refine_field.h": (), "detect_corners.h": (),
-          "segment_curves.h": (), "recognize_curve_types.h": (), "fit_curves.h": ("Spline_network_fit.h",),
-          "build_topological_graph.h": ("Network_subdivider.h", "Network_tracer.h", "Spline_network_fit.h")}
+STAGES = {"select_skeleton.h": ("field/select_skeleton_impl.h",), "contract_skeleton.h": ("field/contract_impl.h",),
+          "refine_field.h": ("field/refine_impl.h",), "detect_corners.h": ("network/corner_groups_impl.h",),
+          "segment_curves.h": ("network/clusters_impl.h",), "recognize_curve_types.h": ("types/recognize_pieces_impl.h",),
+          "fit_curves.h": ("fit/fit_network_impl.h", "fit/Spline_network_fit.h"),
+          "build_topological_graph.h": ("network/build_network_impl.h", "network/Subdivided_network.h",
+                                        "network/Traced_network.h", "fit/Spline_network_fit.h")}
 NOT_FOR_USERS = {("build_topological_graph.h", "number_of_rounds")}  # always 2 there
 CGAL_PARAMETERS = {"point_map", "geom_traits", "callback", "visitor", "use_binary_mode", "verbose"}
 
@@ -265,7 +268,7 @@ class Manual_test(unittest.TestCase):
         root = self.copy_of_tree()
         header = HEADERS / "Wireframe_extraction/policies.h"
         self.replace(root, header, "#endif", "namespace CGAL { int bare(int x); struct Bare { int y; }; }\n#endif")
-        self.replace(root, header, "METER,       ///< 1000 mm", "METER,")
+        self.replace(root, header, "METER,      ///< 1000 mm", "METER,")
         found = set(undocumented(read_symbols(root, tempfile.mkdtemp(dir=self.folder))))
         self.assertEqual(found, {"function CGAL::bare", "struct CGAL::Bare", "variable CGAL::Bare::y",
                                  "value Length_unit::METER"})
