@@ -1,5 +1,7 @@
 // Parts of the stages, on what is known in closed form or by trying all.
 
+#include "drawn_curves.h"
+
 #include <CGAL/Wireframe_extraction/internal/base/different_positions.h>
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
 #include <CGAL/Wireframe_extraction/internal/field/polyline_feet.h>
@@ -42,18 +44,6 @@ Polyline straight(const Vector& from, const Vector& to, std::size_t count)
   for (std::size_t k = 0; k <= count; ++k)
     points.push_back(from + (to - from) * (double(k) / double(count)));
   return points;
-}
-
-Traced_curve open_curve(const Polyline& points)
-{
-  Traced_curve curve;
-  curve.points = points;
-  const std::size_t n = points.size();
-  curve.tips[0].point = points.front();
-  curve.tips[0].tangent = (points[0] - points[1]).normalized();
-  curve.tips[1].point = points.back();
-  curve.tips[1].tangent = (points[n - 1] - points[n - 2]).normalized();
-  return curve;
 }
 
 // A closed curve at which several others end falls into pieces between them: none of it is lost, and none runs twice.

@@ -1,5 +1,7 @@
 // What each step that joins, rounds, cuts and adds curves of a network promises, on networks drawn by hand.
 
+#include "drawn_curves.h"
+
 #include <CGAL/Wireframe_extraction/internal/network/Curve_end_joiner.h>
 
 #include <algorithm>
@@ -32,18 +34,6 @@ Polyline operator+(Polyline head, const Polyline& tail)
 {
   head.insert(head.end(), tail.begin() + 1, tail.end());
   return head;
-}
-
-Traced_curve open_curve(const Polyline& points)
-{
-  Traced_curve curve;
-  curve.points = points;
-  const std::size_t n = points.size();
-  curve.tips[0].point = points.front();
-  curve.tips[0].tangent = (points[0] - points[1]).normalized();
-  curve.tips[1].point = points.back();
-  curve.tips[1].tangent = (points[n - 1] - points[n - 2]).normalized();
-  return curve;
 }
 
 // curves whose ends lie at the same place share a node
