@@ -1,9 +1,10 @@
 // Files of clouds that are refused, and what is said.
 
+#include <CGAL/Wireframe_extraction/IO/read_distance_cloud.h>
+
 #include "check_words.h"
 #include "scratch_files.h"
 
-#include <CGAL/Wireframe_extraction/IO/read_distance_cloud.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -1,8 +1,8 @@
 // Clouds that are no good: each ends with a wireframe that can be trusted, or with none and a reason.
 
-#include "sample_clouds.h"
-
 #include <CGAL/extract_wireframe.h>
+
+#include "sample_clouds.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/assertions.h>

@@ -1,9 +1,10 @@
 // Files of wireframes that are refused, wireframes that are not written, and files that cannot be.
 
+#include <CGAL/Wireframe_extraction/IO/read_wireframe_json.h>
+
 #include "check_words.h"
 #include "scratch_files.h"
 
-#include <CGAL/Wireframe_extraction/IO/read_wireframe_json.h>
 #include <CGAL/Wireframe_extraction/IO/write_wireframe.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 

@@ -1,5 +1,7 @@
 // Stages and the one call fail alike: nothing is thrown, nothing is changed, and the report says why.
 
+#include <CGAL/Wireframe_extraction/recognize_curve_types.h>
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Wireframe_extraction/Default_visitor.h>
 #include <CGAL/Wireframe_extraction/build_topological_graph.h>
@@ -7,7 +9,6 @@
 #include <CGAL/Wireframe_extraction/detect_corners.h>
 #include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
 #include <CGAL/Wireframe_extraction/fit_curves.h>
-#include <CGAL/Wireframe_extraction/recognize_curve_types.h>
 #include <CGAL/Wireframe_extraction/refine_field.h>
 #include <CGAL/Wireframe_extraction/segment_curves.h>
 #include <CGAL/Wireframe_extraction/select_skeleton.h>

@@ -1,10 +1,10 @@
 // Writers of formats that other programs read. With the name of a folder it only writes files into it, which
 // test_wireframe_formats_read.py looks at with readers of others.
 
+#include <CGAL/Wireframe_extraction/IO/write_wireframe.h>
+
 #include "Comma_locale.h"
 #include "minimal_traits.h"
-
-#include <CGAL/Wireframe_extraction/IO/write_wireframe.h>
 
 #include <CGAL/Simple_cartesian.h>
 

@@ -1,5 +1,7 @@
 // Wireframes as JSON: what is written is what is read.
 
+#include <CGAL/Wireframe_extraction/IO/write_wireframe_json.h>
+
 #include "Comma_locale.h"
 #include "minimal_traits.h"
 #include "scratch_files.h"

@@ -1,5 +1,7 @@
 // The same wireframe, whatever kernel, traits or property maps the points come with; visitors and callbacks.
 
+#include <CGAL/Wireframe_extraction/segment_curves.h>
+
 #include "sample_clouds.h"
 
 #include <CGAL/Wireframe_extraction/build_topological_graph.h>
@@ -7,7 +9,6 @@
 #include <CGAL/Wireframe_extraction/detect_corners.h>
 #include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
 #include <CGAL/Wireframe_extraction/fit_curves.h>
-#include <CGAL/Wireframe_extraction/segment_curves.h>
 #include <CGAL/Wireframe_extraction/select_skeleton.h>
 #include <CGAL/extract_wireframe.h>
 

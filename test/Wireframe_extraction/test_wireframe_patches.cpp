@@ -1,11 +1,12 @@
 // Overlapping patches of a cloud: their files, and their fusion.
 
+#include <CGAL/Wireframe_extraction/fuse_distance_patches.h>
+
 #include "Hdf5_writer.h"
 #include "cloud_file_checks.h"
 #include "numpy_writers.h"
 
 #include <CGAL/Wireframe_extraction/IO/read_distance_patches.h>
-#include <CGAL/Wireframe_extraction/fuse_distance_patches.h>
 
 #include <cassert>
 #include <chrono>

@@ -1,5 +1,7 @@
 // Wireframes as polylines, in OBJ, PLY and text.
 
+#include <CGAL/Wireframe_extraction/IO/write_wireframe_polylines.h>
+
 #include "Comma_locale.h"
 #include "scratch_files.h"
 #include "theta_wireframe.h"

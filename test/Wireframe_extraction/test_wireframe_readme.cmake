@@ -33,12 +33,15 @@ foreach(way IN LISTS ways)
     target_link_libraries(${name} PRIVATE CGAL::Wireframe_extraction_Core)
   else()
     target_link_libraries(${name} PRIVATE CGAL::Wireframe_extraction)
-    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # a false one at -O3, about edges of Boost that CGAL collects
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # a false one, about edges of Boost that CGAL collects
       target_compile_options(${name} PRIVATE -Wno-maybe-uninitialized)
     endif()
     if(TARGET CGAL::TBB_support)
       target_link_libraries(${name} PRIVATE CGAL::TBB_support)
     endif()
+  endif()
+  if(NOT MSVC) # more would make one extraction no faster than it makes the compilation slower
+    target_compile_options(${name} PRIVATE "$<$<CONFIG:Release>:-O1>")
   endif()
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/run/${name}")
   file(MAKE_DIRECTORY "${folder}")

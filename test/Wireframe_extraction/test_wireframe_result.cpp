@@ -1,9 +1,10 @@
 // What a wireframe can be asked.
 
+#include <CGAL/Wireframe_extraction/Wireframe_graph.h>
+
 #include "theta_wireframe.h"
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
-#include <CGAL/Wireframe_extraction/Wireframe_graph.h>
 
 #include <boost/graph/connected_components.hpp>
 

@@ -1,5 +1,7 @@
 // The stages one by one, on clouds for which the right answer is known in closed form.
 
+#include <CGAL/Wireframe_extraction/refine_field.h>
+
 #include "sample_clouds.h"
 
 #include <CGAL/Wireframe_extraction/build_topological_graph.h>
@@ -9,7 +11,6 @@
 #include <CGAL/Wireframe_extraction/fit_curves.h>
 #include <CGAL/Wireframe_extraction/internal/base/farthest_point_sampling.h>
 #include <CGAL/Wireframe_extraction/internal/network/second_variance_ratio.h>
-#include <CGAL/Wireframe_extraction/refine_field.h>
 #include <CGAL/Wireframe_extraction/segment_curves.h>
 #include <CGAL/Wireframe_extraction/select_skeleton.h>
 #include <CGAL/extract_wireframe.h>

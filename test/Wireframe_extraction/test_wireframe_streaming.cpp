@@ -1,8 +1,9 @@
 // Clouds that stay in their files, or that come point by point, give the same skeleton as in memory.
 
+#include <CGAL/Wireframe_extraction/Distance_cloud_filter.h>
+
 #include "sample_clouds.h"
 
-#include <CGAL/Wireframe_extraction/Distance_cloud_filter.h>
 #include <CGAL/Wireframe_extraction/IO/Distance_cloud_file.h>
 #include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
 #include <CGAL/Wireframe_extraction/select_skeleton.h>
