@@ -13,6 +13,10 @@
 #define CGAL_WIREFRAME_EXTRACTION_IO_DISTANCE_CLOUD_FILE_H
 
 #include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_filter.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_sink.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/available_cloud_libraries.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/cloud_formats.h>
 #include <CGAL/Wireframe_extraction/IO/read_distance_cloud.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
@@ -123,22 +127,26 @@ public:
 private:
   /// \cond SKIP_IN_MANUAL
   // turns the samples of the readers into those of a source
-  struct Chunk_sink
+  class Chunk_sink : public internal::Sample_sink
   {
-    const Sink& sink;
-    std::vector<Sample> chunk;
-    bool is_stopped = false;
+  public:
+    explicit Chunk_sink(const Sink& sink) : m_sink(sink) {}
 
-    void reserve(std::size_t) {}
-
-    bool operator()(const internal::Distance_sample* first, const internal::Distance_sample* last)
+    bool operator()(const internal::Distance_sample* first, const internal::Distance_sample* last) override
     {
-      chunk.clear();
+      m_chunk.clear();
       for (; first != last; ++first)
-        chunk.push_back(Sample{first->x, first->y, first->z, first->distance});
-      is_stopped = !sink(chunk.data(), chunk.data() + chunk.size());
-      return !is_stopped;
+        m_chunk.push_back(Sample{first->x, first->y, first->z, first->distance});
+      m_is_stopped = !m_sink(m_chunk.data(), m_chunk.data() + m_chunk.size());
+      return !m_is_stopped;
     }
+
+    bool is_stopped() const { return m_is_stopped; }
+
+  private:
+    const Sink& m_sink;
+    std::vector<Sample> m_chunk;
+    bool m_is_stopped = false;
   };
   /// \endcond
 
@@ -147,16 +155,17 @@ private:
   {
     internal::Separate_distances distances;
     internal::Cloud_reader_options options = m_options;
+    const internal::Cloud_libraries libraries = internal::available_cloud_libraries();
     if (m_has_distances_file)
     {
-      const std::string error = internal::read_distances_file(m_distances_filename, options, distances);
+      const std::string error = internal::read_distances_file(m_distances_filename, options, libraries, distances);
       if (!error.empty())
         return error;
       options.distances = &distances;
     }
-    Chunk_sink chunks = {sink, {}, false};
-    const std::string error = internal::read_cloud(m_filename, options, chunks, m_number_of_skipped);
-    return chunks.is_stopped ? std::string() : error;
+    Chunk_sink chunks(sink);
+    const std::string error = internal::read_cloud(m_filename, options, libraries, chunks, m_number_of_skipped);
+    return chunks.is_stopped() ? std::string() : error;
   }
 
   std::string m_filename, m_distances_filename;

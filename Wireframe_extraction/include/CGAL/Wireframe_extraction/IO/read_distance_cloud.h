@@ -13,6 +13,8 @@
 #define CGAL_WIREFRAME_EXTRACTION_IO_READ_DISTANCE_CLOUD_H
 
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_filter.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_sink.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/available_cloud_libraries.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/cloud_formats.h>
 #include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
@@ -43,18 +45,22 @@ namespace internal {
 
 // puts samples at the end of a vector of pairs
 template <class Point, class FT>
-struct Cloud_sink
+class Cloud_sink : public Sample_sink
 {
-  std::vector<std::pair<Point, FT>>& cloud;
+public:
+  explicit Cloud_sink(std::vector<std::pair<Point, FT>>& cloud) : m_cloud(cloud) {}
 
-  void reserve(std::size_t count) { cloud.reserve(count); }
+  void reserve(std::size_t count) override { m_cloud.reserve(count); }
 
-  bool operator()(const Distance_sample* first, const Distance_sample* last)
+  bool operator()(const Distance_sample* first, const Distance_sample* last) override
   {
     for (; first != last; ++first)
-      cloud.emplace_back(Point(first->x, first->y, first->z), FT(first->distance));
+      m_cloud.emplace_back(Point(first->x, first->y, first->z), FT(first->distance));
     return true;
   }
+
+private:
+  std::vector<std::pair<Point, FT>>& m_cloud;
 };
 
 template <class FT>
@@ -117,7 +123,7 @@ bool read_distance_cloud_by(const Read& read, const std::string& name, std::vect
   Cloud_reader_options options = get_cloud_reader_options<FT>(np);
   std::size_t number_of_skipped = 0;
   std::vector<std::pair<Point, FT>> result;
-  Cloud_sink<Point, FT> sink = {result};
+  Cloud_sink<Point, FT> sink(result);
   const std::string error = read_in_memory(name, [&] { return read(options, sink, number_of_skipped); });
   if (error.empty())
     cloud.swap(result);
@@ -135,15 +141,16 @@ bool read_distance_cloud_of_files(const std::string& filename, const std::string
                                   std::vector<std::pair<Point, FT>>& cloud, const NamedParameters& np)
 {
   Separate_distances distances;
-  const auto read = [&](Cloud_reader_options& options, Cloud_sink<Point, FT>& sink, std::size_t& number_of_skipped) {
+  const Cloud_libraries libraries = available_cloud_libraries();
+  const auto read = [&](Cloud_reader_options& options, Sample_sink& sink, std::size_t& number_of_skipped) {
     if (distances_filename != nullptr)
     {
-      const std::string distances_error = read_distances_file(*distances_filename, options, distances);
+      const std::string distances_error = read_distances_file(*distances_filename, options, libraries, distances);
       if (!distances_error.empty())
         return distances_error;
       options.distances = &distances;
     }
-    return read_cloud(filename, options, sink, number_of_skipped);
+    return read_cloud(filename, options, libraries, sink, number_of_skipped);
   };
   return read_distance_cloud_by(read, filename, cloud, np);
 }
@@ -335,9 +342,10 @@ template <class Point, class FT, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool read_distance_cloud(std::istream& stream, const std::string& format, std::vector<std::pair<Point, FT>>& cloud,
                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  const auto read = [&](const internal::Cloud_reader_options& options, internal::Cloud_sink<Point, FT>& sink,
+  const auto read = [&](const internal::Cloud_reader_options& options, internal::Sample_sink& sink,
                         std::size_t& number_of_skipped) {
-    return internal::read_cloud_stream(stream, format, options, sink, number_of_skipped);
+    return internal::read_cloud_stream(stream, format, options, internal::available_cloud_libraries(), sink,
+                                       number_of_skipped);
   };
   return internal::read_distance_cloud_by(read, "the stream", cloud, np);
 }

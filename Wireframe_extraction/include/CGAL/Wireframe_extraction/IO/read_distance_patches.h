@@ -14,6 +14,8 @@
 
 #include <CGAL/Wireframe_extraction/Distance_patch.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_filter.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_sink.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/available_cloud_libraries.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/cloud_formats.h>
 #include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
 #include <CGAL/Wireframe_extraction/IO/read_distance_cloud.h>
@@ -29,22 +31,26 @@ namespace internal {
 
 // puts samples at the end of a patch
 template <class Point, class FT>
-struct Patch_sink
+class Patch_sink : public Sample_sink
 {
-  CGAL::Wireframe_extraction::Distance_patch<Point, FT>& patch;
+public:
+  explicit Patch_sink(CGAL::Wireframe_extraction::Distance_patch<Point, FT>& patch) : m_patch(patch) {}
 
-  void reserve(std::size_t count) { patch.samples.reserve(count); }
+  void reserve(std::size_t count) override { m_patch.samples.reserve(count); }
 
-  bool operator()(const Distance_sample* first, const Distance_sample* last)
+  bool operator()(const Distance_sample* first, const Distance_sample* last) override
   {
     for (; first != last; ++first)
     {
-      patch.samples.emplace_back(Point(first->x, first->y, first->z), FT(first->distance));
+      m_patch.samples.emplace_back(Point(first->x, first->y, first->z), FT(first->distance));
       if (first->index != Distance_sample::no_index)
-        patch.indices.push_back(static_cast<std::size_t>(first->index));
+        m_patch.indices.push_back(static_cast<std::size_t>(first->index));
     }
     return true;
   }
+
+private:
+  CGAL::Wireframe_extraction::Distance_patch<Point, FT>& m_patch;
 };
 
 } // namespace internal
@@ -107,8 +113,9 @@ bool read_distance_patches(const FilenameRange& filenames,
     error = internal::read_in_memory(filename, [&] {
       std::size_t skipped_here = 0;
       result.emplace_back();
-      internal::Patch_sink<Point, FT> sink = {result.back()};
-      const std::string reason = internal::read_cloud(filename, options, sink, skipped_here);
+      internal::Patch_sink<Point, FT> sink(result.back());
+      const std::string reason =
+        internal::read_cloud(filename, options, internal::available_cloud_libraries(), sink, skipped_here);
       number_of_skipped += skipped_here;
       return reason;
     });

@@ -15,6 +15,7 @@
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Chunked_input.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_chunk.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_filter.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_sink.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 
 #include <cstddef>
@@ -87,17 +88,12 @@ protected:
   }
 
   // takes a sample, and hands the chunk out if it is full
-  template <class Sink>
-  bool keep(Distance_sample sample, std::size_t line, Sink& sink)
+  bool keep(Distance_sample sample, std::size_t line, Sample_sink& sink)
   {
     return !m_filter(sample, line) || m_chunk.add(sample, sink) || fail_as_stopped();
   }
 
-  template <class Sink>
-  bool flush(Sink& sink)
-  {
-    return m_chunk.flush(sink) || fail_as_stopped();
-  }
+  bool flush(Sample_sink& sink) { return m_chunk.flush(sink) || fail_as_stopped(); }
 
   Chunked_input m_input;
   std::string m_filename;

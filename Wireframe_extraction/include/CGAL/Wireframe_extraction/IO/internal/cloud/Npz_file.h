@@ -12,25 +12,23 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_NPZ_FILE_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_NPZ_FILE_H
 
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Cloud_libraries.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Inflater.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Npy_reader.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Number_array.h>
 #include <CGAL/Wireframe_extraction/IO/internal/file/byte_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/file/file_tools.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 
-#include <CGAL/config.h>
-
-#ifdef CGAL_WIREFRAME_EXTRACTION_USE_ZLIB
-#include <zlib.h>
-#endif
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <istream>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -82,34 +80,16 @@ class Zip_bytes : public Byte_source
 public:
   static constexpr unsigned stored = 0, deflated = 8;
 
-  // the stream stands at the first byte
-  Zip_bytes(std::istream& stream, const Zip_entry& entry) : m_stream(stream), m_entry(entry)
+  // the stream stands at the first byte; an inflater is needed if the entry is deflated
+  Zip_bytes(std::istream& stream, const Zip_entry& entry, std::unique_ptr<Inflater> inflater)
+    : m_stream(stream), m_entry(entry), m_inflater(std::move(inflater))
   {
     m_compressed_rest = entry.compressed_size;
     // deflation makes data smaller by a factor of 1032 at best
     m_rest =
       entry.method == stored ? entry.compressed_size : (std::min)(entry.size, 1032 * entry.compressed_size + 1032);
-#ifdef CGAL_WIREFRAME_EXTRACTION_USE_ZLIB
-    m_inflater.next_in = Z_NULL;
-    m_inflater.avail_in = 0;
-    m_inflater.zalloc = Z_NULL;
-    m_inflater.zfree = Z_NULL;
-    m_inflater.opaque = Z_NULL;
-    m_has_inflater = entry.method == deflated && inflateInit2(&m_inflater, -15) == Z_OK;
-    if (entry.method == deflated && !m_has_inflater)
+    if (entry.method == deflated && !m_inflater->is_started())
       m_error = "zlib cannot be started";
-#endif
-  }
-
-  Zip_bytes(const Zip_bytes&) = delete;
-  Zip_bytes& operator=(const Zip_bytes&) = delete;
-
-  ~Zip_bytes() override
-  {
-#ifdef CGAL_WIREFRAME_EXTRACTION_USE_ZLIB
-    if (m_has_inflater)
-      inflateEnd(&m_inflater);
-#endif
   }
 
   std::size_t read(char* target, std::size_t size) override
@@ -140,30 +120,27 @@ private:
     return count;
   }
 
-#ifdef CGAL_WIREFRAME_EXTRACTION_USE_ZLIB
   std::size_t inflate_into(char* target, std::size_t size)
   {
     std::size_t done = 0;
     while (done < size && !m_is_at_end)
     {
-      if (m_inflater.avail_in == 0)
+      if (m_inflater->is_hungry())
       {
-        m_inflater.avail_in = static_cast<uInt>(read_raw(m_input.data(), m_input.size()));
-        m_inflater.next_in = reinterpret_cast<Bytef*>(m_input.data());
-        if (m_inflater.avail_in == 0)
+        const std::size_t count = read_raw(m_input.data(), m_input.size());
+        m_inflater->feed(m_input.data(), count);
+        if (count == 0)
         {
           if (m_error.empty())
             m_error = "its compressed data ends too early: the file is damaged; get a complete copy of it";
           return done;
         }
       }
-      const std::size_t step = (std::min)(size - done, std::size_t(1) << 20);
-      m_inflater.next_out = reinterpret_cast<Bytef*>(target + done);
-      m_inflater.avail_out = static_cast<uInt>(step);
-      const int status = inflate(&m_inflater, Z_NO_FLUSH);
-      done += step - m_inflater.avail_out;
-      m_is_at_end = (status == Z_STREAM_END);
-      if (status != Z_OK && status != Z_STREAM_END && status != Z_BUF_ERROR)
+      std::size_t step = 0;
+      const Inflater::Status status = m_inflater->inflate(target + done, size - done, step);
+      done += step;
+      m_is_at_end = (status == Inflater::Status::AT_END);
+      if (status == Inflater::Status::DAMAGED)
       {
         m_error = "its compressed data is damaged; get a complete copy of the file";
         return done;
@@ -171,13 +148,6 @@ private:
     }
     return done;
   }
-
-  std::array<char, 65536> m_input;
-  z_stream m_inflater;
-  bool m_has_inflater = false, m_is_at_end = false;
-#else
-  std::size_t inflate_into(char*, std::size_t) { return 0; } // such entries are refused before
-#endif
 
   void check_end()
   {
@@ -187,6 +157,9 @@ private:
 
   std::istream& m_stream;
   const Zip_entry& m_entry;
+  std::unique_ptr<Inflater> m_inflater;
+  std::array<char, 65536> m_input;
+  bool m_is_at_end = false;
   std::uint64_t m_compressed_rest = 0, m_rest = 0, m_done = 0;
   Cyclic_redundancy_check m_sum;
   std::string m_error;
@@ -196,7 +169,9 @@ private:
 class Npz_file : public Array_file
 {
 public:
-  Npz_file(std::istream& stream, const std::string& filename) : m_stream(stream), m_filename(filename) {}
+  Npz_file(std::istream& stream, const std::string& filename, const Cloud_libraries& libraries)
+    : m_stream(stream), m_filename(filename), m_libraries(libraries)
+  {}
 
   bool open(std::string& error)
   {
@@ -221,7 +196,8 @@ public:
       error = full_name + ": " + reason;
       return false;
     }
-    Zip_bytes bytes(m_stream, entry);
+    Zip_bytes bytes(m_stream, entry,
+                    entry.method == Zip_bytes::deflated ? m_libraries.make_inflater() : std::unique_ptr<Inflater>());
     Npy_reader reader(bytes, full_name);
     const bool is_read = reader.read(array);
     error = reader.error();
@@ -358,12 +334,10 @@ private:
     if (entry.method != Zip_bytes::stored && entry.method != Zip_bytes::deflated)
       return "is compressed by the method " + std::to_string(entry.method)
         + "; write it with numpy.savez() or numpy.savez_compressed()";
-#ifndef CGAL_WIREFRAME_EXTRACTION_USE_ZLIB
-    if (entry.method == Zip_bytes::deflated)
+    if (entry.method == Zip_bytes::deflated && m_libraries.make_inflater == nullptr)
       return "is compressed, which needs zlib, without which this program was built; write it with numpy.savez() "
              "instead of numpy.savez_compressed(), or build with the CMake target "
              "CGAL::Wireframe_extraction_ZLIB (Debian: zlib1g-dev)";
-#endif
     std::string header;
     if (!read_at(entry.offset, 30, header) || header.compare(0, 4, "PK\3\4") != 0)
       return damaged();
@@ -378,6 +352,7 @@ private:
 
   std::istream& m_stream;
   std::string m_filename;
+  Cloud_libraries m_libraries;
   std::uint64_t m_file_size = 0;
   std::vector<Zip_entry> m_entries;
   std::vector<std::string> m_names;

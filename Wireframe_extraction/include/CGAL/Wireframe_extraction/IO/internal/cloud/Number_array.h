@@ -14,6 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_chunk.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_filter.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_sink.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 
 #include <algorithm>
@@ -97,8 +98,7 @@ class Array_cloud_reader
 public:
   explicit Array_cloud_reader(const Cloud_reader_options& options) : m_options(options), m_filter(options) {}
 
-  template <class Sink>
-  bool read(Array_file& file, Sink& sink)
+  bool read(Array_file& file, Sample_sink& sink)
   {
     const std::string word = file.word_for_array();
     const std::string points_name = m_options.points_dataset.empty() ? "points" : m_options.points_dataset;
@@ -122,8 +122,7 @@ public:
   }
 
   // the same for a single array, whose fourth column holds the distances
-  template <class Sink>
-  bool read(const std::string& filename, const Number_array& points, Sink& sink)
+  bool read(const std::string& filename, const Number_array& points, Sample_sink& sink)
   {
     const bool has_distances = !points.shape.empty() && points.shape.back() == 4;
     if (!set_points(filename, "array", points, has_distances ? 4 : 3))
@@ -214,8 +213,7 @@ private:
     return distances_shape == shape;
   }
 
-  template <class Sink>
-  bool read_by_rows(Array_file& file, const Rows& rows, Sink& sink)
+  bool read_by_rows(Array_file& file, const Rows& rows, Sample_sink& sink)
   {
     const std::uint64_t points_at_once = std::uint64_t(1) << 18;
     const std::uint64_t step =
@@ -301,16 +299,14 @@ private:
     return true;
   }
 
-  template <class Sink>
   bool hand_out(const std::string& filename, const Number_array& points, const Number_array& distances,
-                const Number_array& indices, Sink& sink)
+                const Number_array& indices, Sample_sink& sink)
   {
     return hand_out_some(filename, points, distances, indices, sink) && m_filter.is_cloud_usable(filename, m_error);
   }
 
-  template <class Sink>
   bool hand_out_some(const std::string& filename, const Number_array& points, const Number_array& distances,
-                     const Number_array& indices, Sink& sink)
+                     const Number_array& indices, Sample_sink& sink)
   {
     const std::string stopped = filename + ": " + Sample_chunk::stopped_text();
     Sample_chunk chunk;

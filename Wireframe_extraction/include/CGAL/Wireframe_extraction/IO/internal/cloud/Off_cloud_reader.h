@@ -14,6 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Chunked_cloud_reader.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_filter.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_sink.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 
 #include <array>
@@ -39,8 +40,7 @@ public:
 
   // reads all vertices; `sink(first, last)` gets chunk after chunk of usable samples, and stops the reading by
   // returning `false`
-  template <class Sink>
-  bool read(Sink&& sink)
+  bool read(Sample_sink& sink)
   {
     std::uint64_t count = 0;
     if (!read_header(count))
@@ -103,8 +103,7 @@ private:
     return true;
   }
 
-  template <class Sink>
-  bool read_vertex(const std::vector<std::string_view>& words, Sink& sink)
+  bool read_vertex(const std::vector<std::string_view>& words, Sample_sink& sink)
   {
     if (words.size() < 3)
       return fail_at_line("a vertex with only " + plural(words.size(), "value", "values")

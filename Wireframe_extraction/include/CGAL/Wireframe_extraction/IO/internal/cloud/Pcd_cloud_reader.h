@@ -15,6 +15,7 @@
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Chunked_cloud_reader.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Chunked_input.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_filter.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_sink.h>
 #include <CGAL/Wireframe_extraction/IO/internal/file/byte_tools.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 
@@ -45,8 +46,7 @@ public:
 
   // reads all points; `sink(first, last)` gets chunk after chunk of usable samples, and stops the reading by
   // returning `false`
-  template <class Sink>
-  bool read(Sink&& sink)
+  bool read(Sample_sink& sink)
   {
     if (!check_start())
       return false;
@@ -190,8 +190,7 @@ private:
     return text;
   }
 
-  template <class Sink>
-  bool read_ascii(Sink& sink)
+  bool read_ascii(Sample_sink& sink)
   {
     std::vector<std::string_view> words;
     for (std::uint64_t done = 0; done < m_number_of_points; ++done)
@@ -212,8 +211,7 @@ private:
     return flush(sink) && (!next_words(words, false) ? m_error.empty() : fail_at_end());
   }
 
-  template <class Sink>
-  bool read_binary(Sink& sink)
+  bool read_binary(Sample_sink& sink)
   {
     if (m_point_size > Chunked_input::chunk_size)
       return fail(m_filename + ": a point of " + std::to_string(m_point_size) + " bytes is too large");

@@ -16,6 +16,7 @@
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Chunked_input.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Ply_header.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_filter.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_sink.h>
 #include <CGAL/Wireframe_extraction/IO/internal/file/byte_tools.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 
@@ -89,8 +90,7 @@ public:
 
   // reads all points after `read_header()`; `sink(first, last)` gets chunk after chunk of usable samples, and
   // stops the reading by returning `false`
-  template <class Sink>
-  bool read(Sink&& sink)
+  bool read(Sample_sink& sink)
   {
     for (std::size_t i = 0; i < m_vertex_element; ++i)
       if (!skip_element(m_header.elements[i]))
@@ -223,15 +223,13 @@ private:
 
   // ---- binary vertices ----
 
-  template <class Sink>
-  bool read_binary_vertices(Sink& sink)
+  bool read_binary_vertices(Sample_sink& sink)
   {
     return m_header.elements[m_vertex_element].has_list() ? read_binary_vertices_with_lists(sink)
                                                           : read_binary_vertices_of_fixed_size(sink);
   }
 
-  template <class Sink>
-  bool read_binary_vertices_of_fixed_size(Sink& sink)
+  bool read_binary_vertices_of_fixed_size(Sample_sink& sink)
   {
     const std::size_t entry_size = static_cast<std::size_t>(m_header.elements[m_vertex_element].entry_size());
     if (entry_size > Chunked_input::chunk_size)
@@ -261,8 +259,7 @@ private:
     return {values[0], values[1], values[2], values[3]};
   }
 
-  template <class Sink>
-  bool read_binary_vertices_with_lists(Sink& sink)
+  bool read_binary_vertices_with_lists(Sample_sink& sink)
   {
     const std::vector<Ply_property>& properties = m_header.elements[m_vertex_element].properties;
     std::vector<double> values(properties.size(), 0.);
@@ -284,8 +281,7 @@ private:
 
   // ---- ascii vertices ----
 
-  template <class Sink>
-  bool read_ascii_vertices(Sink& sink)
+  bool read_ascii_vertices(Sample_sink& sink)
   {
     const std::vector<Ply_property>& properties = m_header.elements[m_vertex_element].properties;
     std::vector<double> values(properties.size(), 0.);
@@ -334,8 +330,7 @@ private:
     return "after " + std::to_string(count) + " of " + std::to_string(number_of_vertices()) + " vertices";
   }
 
-  template <class Sink>
-  bool keep_values(const std::vector<double>& values, std::size_t line, Sink& sink)
+  bool keep_values(const std::vector<double>& values, std::size_t line, Sample_sink& sink)
   {
     return keep({values[m_wanted[0].index], values[m_wanted[1].index], values[m_wanted[2].index],
                  m_number_of_wanted == 4 ? values[m_wanted[3].index] : 0.},

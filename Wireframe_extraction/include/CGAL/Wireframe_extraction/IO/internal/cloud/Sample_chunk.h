@@ -13,6 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_SAMPLE_CHUNK_H
 
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_filter.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_sink.h>
 
 #include <cstddef>
 #include <string>
@@ -29,15 +30,13 @@ public:
   static constexpr std::size_t capacity = 4096;
 
   // returns whether more samples are wanted
-  template <class Sink>
-  bool add(const Distance_sample& sample, Sink& sink)
+  bool add(const Distance_sample& sample, Sample_sink& sink)
   {
     m_samples.push_back(sample);
     return m_samples.size() < capacity || flush(sink);
   }
 
-  template <class Sink>
-  bool flush(Sink& sink)
+  bool flush(Sample_sink& sink)
   {
     const bool goes_on = m_samples.empty() || sink(m_samples.data(), m_samples.data() + m_samples.size());
     m_samples.clear();

@@ -14,6 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_chunk.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_filter.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_sink.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Text_table.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 
@@ -40,8 +41,7 @@ public:
 
   // reads all points; `sink(first, last)` gets chunk after chunk of usable samples, and stops the reading by
   // returning `false`
-  template <class Sink>
-  bool read(Sink&& sink)
+  bool read(Sample_sink& sink)
   {
     std::vector<std::string_view> fields;
     for (;;)
@@ -206,8 +206,7 @@ private:
     return m_table.fail(m_table.filename() + ": " + what + "; the file's columns are: " + join(m_names));
   }
 
-  template <class Sink>
-  bool read_row(const std::vector<std::string_view>& fields, Sink& sink)
+  bool read_row(const std::vector<std::string_view>& fields, Sample_sink& sink)
   {
     if (fields.size() != m_number_of_columns)
       return m_table.fail_at_line("the row has " + plural(fields.size(), "column", "columns")
