@@ -10,3 +10,15 @@
 // Author(s)     : The Wireframe_extraction authors
 
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/cloud_formats_impl.h>
+#ifdef CGAL_WIREFRAME_EXTRACTION_COMPILED_JSON
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/read_json_impl.h>
+#endif
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/write_csv_impl.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/write_dxf_impl.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/write_gltf_impl.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/write_json_impl.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/write_obj_impl.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/write_ply_impl.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/write_polylines_impl.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/write_svg_impl.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/write_vtp_impl.h>

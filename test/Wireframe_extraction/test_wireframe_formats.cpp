@@ -6,6 +6,8 @@
 #include "Comma_locale.h"
 #include "minimal_traits.h"
 
+#include <CGAL/Wireframe_extraction/IO/internal/file/byte_tools.h>
+
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>

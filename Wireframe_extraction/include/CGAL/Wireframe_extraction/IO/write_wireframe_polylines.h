@@ -13,37 +13,17 @@
 #define CGAL_WIREFRAME_EXTRACTION_IO_WRITE_WIREFRAME_POLYLINES_H
 
 #include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
-#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Sampled_wireframe.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Plain_wireframe.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/sampling_step.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/write_polylines.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
-#include <cstddef>
 #include <ostream>
 #include <string>
-#include <vector>
 
 namespace CGAL {
 namespace IO {
-namespace internal {
-
-template <class GeomTraits, class NamedParameters>
-bool write_polylines(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe, const NamedParameters& np,
-                     std::string& error)
-{
-  Sampled_wireframe sampled;
-  if (!sample_wireframe(wireframe, np, sampled, error))
-    return false;
-  for (const std::vector<std::size_t>& polyline : sampled.polylines)
-  {
-    out << std::to_string(polyline.size());
-    for (const std::size_t index : polyline)
-      out << " " << to_text(sampled.points[index]);
-    out << "\n";
-  }
-  return true;
-}
-
-} // namespace internal
 
 /// \ingroup PkgWireframeExtractionIO
 /// writes a wireframe into a stream in the polyline format of \cgal.
@@ -90,7 +70,9 @@ bool write_wireframe_polylines(std::ostream& stream, const CGAL::Wireframe<GeomT
                                const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   return internal::write_to_stream(stream, np, [&](std::ostream& out, std::string& error) {
-    return internal::write_polylines(out, wireframe, np, error);
+    return internal::write_polylines(out,
+                                     internal::plain_wireframe(wireframe, internal::get_geom_traits<GeomTraits>(np)),
+                                     internal::get_sampling_step(np), error);
   });
 }
 
@@ -138,7 +120,9 @@ bool write_wireframe_polylines(const std::string& filename, const CGAL::Wirefram
                                const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error) {
-    return internal::write_polylines(out, wireframe, np, error);
+    return internal::write_polylines(out,
+                                     internal::plain_wireframe(wireframe, internal::get_geom_traits<GeomTraits>(np)),
+                                     internal::get_sampling_step(np), error);
   });
 }
 

@@ -12,7 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_SAMPLED_WIREFRAME_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_SAMPLED_WIREFRAME_H
 
-#include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Plain_wireframe.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/wireframe_tools.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
@@ -23,8 +23,8 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -112,25 +112,16 @@ private:
   }
 };
 
-// samples with the named parameters `sampling_step` and `geom_traits`
-template <class GeomTraits, class NamedParameters>
-bool sample_wireframe(const CGAL::Wireframe<GeomTraits>& wireframe, const NamedParameters& np,
-                      Sampled_wireframe& sampled, std::string& error)
+// the same with what the named parameter `sampling_step` says, if there is one
+inline bool sample_wireframe(const Plain_wireframe& wireframe, const std::optional<double>& step,
+                             Sampled_wireframe& sampled, std::string& error)
 {
-  namespace internal_np = CGAL::Wireframe_extraction::internal_np;
-  typedef CGAL::internal_np::Param_not_found Not_found;
-  const auto step = CGAL::parameters::get_parameter(np, internal_np::sampling_step);
-  double value = 0.;
-  if constexpr (!std::is_same<std::decay_t<decltype(step)>, Not_found>::value)
+  if (step && !(*step > 0.))
   {
-    value = CGAL::to_double(step);
-    if (!(value > 0.))
-    {
-      error = "sampling_step is " + number_to_string(value) + "; it has to be finite and positive";
-      return false;
-    }
+    error = "sampling_step is " + number_to_string(*step) + "; it has to be finite and positive";
+    return false;
   }
-  return sampled.sample(wireframe, value, get_geom_traits<GeomTraits>(np), error);
+  return sampled.sample(wireframe, step.value_or(0.), Plain_traits(), error);
 }
 
 // "x y z" with all digits
