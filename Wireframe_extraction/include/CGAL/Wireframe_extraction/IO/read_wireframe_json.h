@@ -93,7 +93,8 @@ std::string read_json_as(std::istream& stream, const GeomTraits& traits, CGAL::W
 ///
 /// \return `true` if a valid wireframe was read (which may have no curve), else `false`.
 ///
-/// Takes time and memory linear in the size of the text. Needs the library nlohmann-json.
+/// Takes time and memory linear in the size of the text.
+/// Needs the library nlohmann-json, unless it was there when the compiled core was built.
 template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool read_wireframe_json(std::istream& stream, CGAL::Wireframe<GeomTraits>& wireframe,
                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
@@ -118,7 +119,8 @@ bool read_wireframe_json(std::istream& stream, CGAL::Wireframe<GeomTraits>& wire
 /// \return `true` if a valid wireframe was read (which may have no curve), else `false`: the file cannot be
 ///   read, or what it holds is not valid.
 ///
-/// Takes time and memory linear in the size of the file. Needs the library nlohmann-json.
+/// Takes time and memory linear in the size of the file.
+/// Needs the library nlohmann-json, unless it was there when the compiled core was built.
 template <class GeomTraits, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool read_wireframe_json(const std::string& filename, CGAL::Wireframe<GeomTraits>& wireframe,
                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
