@@ -19,7 +19,7 @@ LAYERS = (
     ("internal/base",),
     ("internal/options", "internal/spline", "IO/internal/file"),
     ("internal/cloud", "IO/internal/cloud", "IO/internal/wireframe"),
-    ("internal/field", "IO"),
+    ("internal/estimate", "internal/field", "IO"),
     ("internal/fit",),
     ("internal/network", "internal/types"),
     ("internal/pipeline",),

@@ -1,0 +1,208 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_ESTIMATE_FOLD_FINDER_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_ESTIMATE_FOLD_FINDER_H
+
+#include <CGAL/Wireframe_extraction/internal/base/Ball_search.h>
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
+#include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
+#include <CGAL/Wireframe_extraction/internal/estimate/Fold_fit.h>
+#include <CGAL/Wireframe_extraction/internal/estimate/Fold_scales.h>
+#include <CGAL/Wireframe_extraction/internal/estimate/Fold_votes.h>
+#include <CGAL/Wireframe_extraction/internal/estimate/Sheet_fit.h>
+#include <CGAL/Wireframe_extraction/internal/estimate/Sheet_pair.h>
+#include <CGAL/Wireframe_extraction/internal/estimate/fold_balls.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// Asks every point where around it the surface is folded. Two ways of asking complement one another. A height function
+// with a fold uses all points of a ball, so that it sees weak folds and bears noise, but nothing else may be in the ball.
+// Sheets take from a ball what is theirs, so that they see folds that are close to one another, but only clear ones.
+class Fold_finder
+{
+  const std::vector<Vector>& m_points;
+  const Ball_search& m_search;
+  const Fold_scales m_scales;
+  const double m_minimum_fold; // in radians
+
+  std::vector<char> m_is_smooth;               // whether one sheet explains the ball around a point
+  std::vector<std::vector<Fold_vote>> m_votes; // of each point
+
+  // one sheet explains a ball if its variance is below that share of what points have: then it has nothing else to say
+  static constexpr double least_variance_ratio = 0.85;
+  // a fold is known up to so far from the center of the ball, and at that share of the radius
+  static constexpr double farthest_foot = 2.5, farthest_share = 0.65;
+
+public:
+  Fold_finder(const std::vector<Vector>& points, const Ball_search& search, const Fold_scales& scales,
+              double minimum_fold)
+    : m_points(points), m_search(search), m_scales(scales), m_minimum_fold(minimum_fold * CGAL_PI / 180.),
+      m_is_smooth(points.size()), m_votes(points.size())
+  {}
+
+  template <class Proceed>
+  bool run(const Proceed& proceed)
+  {
+    return vote_by_heights([&](double share) { return proceed(0.6 * share); })
+      && vote_by_sheets([&](double share) { return proceed(0.6 + 0.4 * share); });
+  }
+
+  std::vector<Fold_vote> votes() const
+  {
+    std::vector<Fold_vote> result;
+    for (const std::vector<Fold_vote>& votes : m_votes)
+      result.insert(result.end(), votes.begin(), votes.end());
+    return result;
+  }
+
+private:
+  template <class Proceed>
+  bool vote_by_heights(const Proceed& proceed)
+  {
+    return for_each_piece_or_cancel(
+      m_points.size(),
+      [&](std::size_t begin, std::size_t end) {
+        Fold_fit fit;
+        Fold_ball ball;
+        for (std::size_t i = begin; i < end; ++i)
+          for (int k : {1, 0})
+            if (!m_is_smooth[i])
+              vote_by_heights(i, k, fit, ball);
+      },
+      proceed);
+  }
+
+  void vote_by_heights(std::size_t i, int scale, Fold_fit& fit, Fold_ball& ball)
+  {
+    const double radius = m_scales.radii[scale], variance = m_scales.deviation * m_scales.deviation;
+    ball.collect(m_points, m_search, m_points[i], radius);
+    const Fold_fit_result result = fit.fit(ball.offsets, radius, variance, least_variance_ratio * variance);
+    if (scale == 1)
+      m_is_smooth[i] = result.is_smooth;
+    if (result.number_of_folds == 0 || !(result.folds[0].evidence > m_scales.least_evidence))
+      return;
+    const bool is_strong =
+      result.folds[0].margin > m_scales.strong_margins[scale] && result.folds[0].evidence > m_scales.strong_evidence;
+    const double farthest = (std::min)(farthest_foot, farthest_share * radius);
+    for (int k = 0; k < result.number_of_folds; ++k)
+    {
+      const Fold& fold = result.folds[k];
+      if (fold.evidence > m_scales.least_evidence && fold.angle > 0.75 * m_minimum_fold && fold.foot.norm() < farthest)
+        m_votes[i].push_back({m_points[i] + fold.foot, is_strong});
+    }
+  }
+
+  template <class Proceed>
+  bool vote_by_sheets(const Proceed& proceed)
+  {
+    const std::vector<Sheet> sheets = fit_sheets();
+    return for_each_piece_or_cancel(
+      m_points.size(),
+      [&](std::size_t begin, std::size_t end) {
+        std::vector<std::size_t> neighbors;
+        std::vector<Vector> around;
+        for (std::size_t i = begin; i < end; ++i)
+          if (!m_is_smooth[i] && sheets[i].is_known)
+            vote_by_sheets(i, sheets, neighbors, around);
+      },
+      proceed);
+  }
+
+  std::vector<Sheet> fit_sheets() const
+  {
+    std::vector<Sheet> sheets(m_points.size());
+    for_each_piece(m_points.size(), [&](std::size_t begin, std::size_t end) {
+      Sheet_fit fit(m_scales.deviation);
+      std::vector<std::size_t> indices;
+      std::vector<Vector> ball;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        if (m_is_smooth[i])
+          continue;
+        collect(m_points[i], m_scales.sheet_radius, indices, ball);
+        sheets[i] = fit.fit(m_points[i], ball);
+      }
+    });
+    return sheets;
+  }
+
+  void collect(const Vector& center, double radius, std::vector<std::size_t>& indices, std::vector<Vector>& ball) const
+  {
+    m_search.query(center, radius, indices);
+    ball.clear();
+    for (std::size_t j : indices)
+      ball.push_back(m_points[j]);
+  }
+
+  struct Meeting
+  {
+    Vector foot;
+    double distance, margin;
+  };
+
+  void vote_by_sheets(std::size_t i, const std::vector<Sheet>& sheets, std::vector<std::size_t>& neighbors,
+                      std::vector<Vector>& around)
+  {
+    static constexpr double neighborhood = 3.;          // whose sheets are looked at
+    static constexpr double same = 0.3;                 // meetings this close are one
+    static constexpr std::size_t most_votes = 2;        // of a point: the nearest ones
+    static constexpr double least_angle = CGAL_PI / 6.; // what sheets of few points show by chance is less
+    static constexpr double least_margin = 15., strong_margin = 30.;
+    static constexpr double radius_of_ends = 1.5, radius_of_margin = 3.;
+    const double tolerance = Sheet_fit(m_scales.deviation).tolerance();
+    std::vector<Meeting> meetings;
+    std::vector<std::size_t> found;
+    m_search.query(m_points[i], neighborhood, neighbors);
+    for (std::size_t j : neighbors)
+    {
+      if (!sheets[j].is_known || std::abs(sheets[i].offset(m_points[j])) < tolerance
+          || std::abs(sheets[j].offset(m_points[i])) < tolerance)
+        continue;
+      Sheet_pair pair(sheets[i], sheets[j], tolerance);
+      if (!pair.meet_near(m_points[i]) || pair.angle() < (std::max)(least_angle, m_minimum_fold))
+        continue;
+      const double distance = (pair.foot() - m_points[i]).norm();
+      if (distance > farthest_foot || (pair.foot() - m_points[j]).norm() > neighborhood)
+        continue;
+      if (std::any_of(meetings.begin(), meetings.end(),
+                      [&](const Meeting& m) { return (m.foot - pair.foot()).norm() < same; }))
+        continue;
+      collect(pair.foot(), radius_of_ends, found, around);
+      if (!pair.both_end(around))
+        continue;
+      collect(pair.foot(), radius_of_margin, found, around);
+      const double margin = pair.margin(around, m_scales.deviation);
+      if (margin > least_margin)
+        meetings.push_back({pair.foot(), distance, margin});
+    }
+    std::sort(meetings.begin(), meetings.end(),
+              [](const Meeting& a, const Meeting& b) { return a.distance < b.distance; });
+    meetings.resize((std::min)(meetings.size(), most_votes));
+    for (const Meeting& meeting : meetings)
+      m_votes[i].push_back({meeting.foot, meeting.margin > strong_margin});
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_ESTIMATE_FOLD_FINDER_H

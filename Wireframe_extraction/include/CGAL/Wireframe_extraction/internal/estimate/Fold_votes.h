@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_ESTIMATE_FOLD_VOTES_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_ESTIMATE_FOLD_VOTES_H
+
+#include <CGAL/Wireframe_extraction/internal/base/Ball_search.h>
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
+#include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
+#include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
+#include <CGAL/Wireframe_extraction/internal/estimate/Fold_scales.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// A place where a point says that the surface is folded.
+struct Fold_vote
+{
+  Vector foot;
+  bool is_strong; // whether the point is sure
+};
+
+// What the votes of all points agree on: places on the folds.
+class Fold_votes
+{
+  // a vote counts near strong ones: as many of them within that
+  static constexpr std::size_t least_strong = 3;
+  static constexpr double strong_reach = 1.;
+  // votes are moved across the fold to the mean of those within that
+  static constexpr double smoothing_radius = 1.;
+  static constexpr int smoothing_rounds = 2;
+
+  std::vector<Vector> m_feet;
+
+public:
+  Fold_votes(const std::vector<Fold_vote>& votes, const Fold_scales& scales)
+  {
+    keep_near_strong(votes);
+    keep_confirmed(scales);
+    for (int round = 0; round < smoothing_rounds; ++round)
+      smooth();
+  }
+
+  const std::vector<Vector>& feet() const { return m_feet; }
+
+private:
+  // calls keep(found) for what is found around each of `places` among `others`, and keeps those for which it is true
+  template <class Keep>
+  static std::vector<Vector> kept(const std::vector<Vector>& places, const std::vector<Vector>& others, double radius,
+                                  const Keep& keep)
+  {
+    const Ball_search search(others);
+    std::vector<char> is_kept(places.size());
+    for_each_piece(places.size(), [&](std::size_t begin, std::size_t end) {
+      std::vector<std::size_t> found;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        search.query(places[i], radius, found);
+        is_kept[i] = keep(found.size());
+      }
+    });
+    std::vector<Vector> result;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (is_kept[i])
+        result.push_back(places[i]);
+    return result;
+  }
+
+  void keep_near_strong(const std::vector<Fold_vote>& votes)
+  {
+    std::vector<Vector> strong;
+    for (const Fold_vote& vote : votes)
+    {
+      m_feet.push_back(vote.foot);
+      if (vote.is_strong)
+        strong.push_back(vote.foot);
+    }
+    m_feet = kept(m_feet, strong, strong_reach, [](std::size_t n) { return n >= least_strong; });
+  }
+
+  void keep_confirmed(const Fold_scales& scales)
+  {
+    m_feet = kept(m_feet, m_feet, scales.vote_radius, [&](std::size_t n) { return n > scales.least_votes; });
+  }
+
+  void smooth()
+  {
+    const Ball_search search(m_feet);
+    std::vector<Vector> moved(m_feet.size());
+    for_each_piece(m_feet.size(), [&](std::size_t begin, std::size_t end) {
+      std::vector<std::size_t> found;
+      for (std::size_t i = begin; i < end; ++i)
+        moved[i] = moved_to_mean(m_feet[i], search, found);
+    });
+    m_feet.swap(moved);
+  }
+
+  Vector moved_to_mean(const Vector& foot, const Ball_search& search, std::vector<std::size_t>& found) const
+  {
+    search.query(foot, smoothing_radius, found);
+    const auto weight = [&](std::size_t j) {
+      return 1. - (m_feet[j] - foot).squaredNorm() / (smoothing_radius * smoothing_radius);
+    };
+    Vector mean = Vector::Zero();
+    double total = 0.;
+    for (std::size_t j : found)
+    {
+      mean += weight(j) * m_feet[j];
+      total += weight(j);
+    }
+    mean /= total;
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (std::size_t j : found)
+    {
+      const Vector d = m_feet[j] - mean;
+      covariance += weight(j) * d * d.transpose();
+    }
+    const Vector along = principal_axes(covariance).axes[2];
+    const Vector move = mean - foot;
+    return foot + move - move.dot(along) * along;
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_ESTIMATE_FOLD_VOTES_H

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_ESTIMATE_FOLD_BALLS_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_ESTIMATE_FOLD_BALLS_H
+
+#include <CGAL/Wireframe_extraction/internal/base/Ball_search.h>
+#include <CGAL/Wireframe_extraction/internal/base/Vector.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// The points in a ball; it keeps its memory.
+struct Fold_ball
+{
+  std::vector<std::size_t> indices;
+  std::vector<Vector> offsets; // from the center
+
+  void collect(const std::vector<Vector>& points, const Ball_search& search, const Vector& center, double radius)
+  {
+    search.query(center, radius, indices);
+    offsets.clear();
+    for (std::size_t j : indices)
+      offsets.push_back(points[j] - center);
+  }
+};
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_ESTIMATE_FOLD_BALLS_H
