@@ -23,13 +23,15 @@ class Command_line : public Option_parser
 {
 public:
   explicit Command_line(Options& options)
-    : Option_parser("Extracts a parametric wireframe from a point cloud with estimated distances to sharp curves.",
-                    "extract_wireframe"),
+    : Option_parser(
+      "Extracts a parametric wireframe from a point cloud with estimated distances to sharp curves, or from a mesh.",
+      "extract_wireframe"),
       m_options(options)
   {
     m_app.set_help_flag(); // for now, so that the files come first
     add_files();
     add_input();
+    add_mesh();
     add_batch();
     add_run();
     add_skeleton();
@@ -65,6 +67,7 @@ public:
     else
       check_files_are_given();
     m_options.input.has_distances = m_app.count("--distances") > 0;
+    m_options.input.sampling_distance = m_options.sampling_distance;
     check_clouds();
     m_options.has_stages = m_app.count("--stages") > 0;
     m_options.has_html = m_app.count("--html") > 0;
@@ -80,7 +83,8 @@ private:
       .add_option(
         "CLOUD", m_options.input.files,
         std::string("The points and their distances: .ply .pcd .npy .npz .h5 .hdf5, or a text of four columns: "
-                    ".xyz .txt .csv .asc .pts; with --distances also .off. With --patches, as many as there are")
+                    ".xyz .txt .csv .asc .pts; with --distances also .off. Or a mesh without distances: .stl .obj .off "
+                    ".ply. With --patches, as many clouds as there are")
           + note_if_missing(Part::HDF5, ".h5 .hdf5") + note_if_missing(Part::ZLIB, "compressed .npz"))
       ->type_name(" ");
     m_app
@@ -179,6 +183,26 @@ private:
                 group);
     add_boolean("--skip-invalid", m_options.input.skip_invalid,
                 "Leave out points with a number that is not finite, or a negative distance", group);
+  }
+
+  void add_mesh()
+  {
+    const std::string group = "Meshes";
+    Input& input = m_options.input;
+    add_choice("--mesh", input.mesh,
+               {{"auto", Mesh_choice::AUTOMATIC}, {"cad", Mesh_choice::CAD}, {"scan", Mesh_choice::SCAN}},
+               "What a mesh is taken for: a shape, whose surface is sampled and whose sharp edges give the distances, "
+               "or a scan, whose vertices are the points; otherwise its edges tell, and distances that its vertices "
+               "have count",
+               group);
+    add_number("--minimum-fold", input.minimum_fold, 0., 180., false,
+               "The angle between two faces from which on their edge is sharp, in degrees", group);
+    add_number("--maximum-facet-fold", input.maximum_facet_fold, 0., 180., true,
+               "Up to which angle regular folds are the facets of a curved surface, in degrees", group);
+    add_boolean("--use-boundaries", input.use_boundaries, "Whether edges of one face only are sharp", group);
+    add_checked("--maximum-number-of-points", input.maximum_number_of_points, 100, 50000000,
+                "About how many points a mesh is sampled by at most, if --sampling-distance is not given", group)
+      ->capture_default_str();
   }
 
   void add_batch()

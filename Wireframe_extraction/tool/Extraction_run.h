@@ -129,6 +129,7 @@ private:
     std::string error;
     std::unique_ptr<Input_cloud> cloud = open_input(m_options.input, error);
     throw_if(with_option_names(error), BAD_INPUT);
+    throw_if(with_option_names(cloud->no_feature()), NO_FEATURE);
     m_seconds_of_opening = seconds_since(begin);
     return cloud;
   }

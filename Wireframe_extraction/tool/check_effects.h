@@ -38,6 +38,17 @@ inline bool writes(const Options& options, const std::vector<std::string>& exten
   });
 }
 
+// whether what is read can be a mesh whose faces are looked at
+inline bool may_be_mesh(const Options& options)
+{
+  if (options.has_batch)
+    return true;
+  if (options.input.are_patches || options.input.has_distances || options.input.files.empty())
+    return false;
+  const std::string extension = CGAL::IO::internal::lower_extension(options.input.files.front());
+  return extension == ".stl" || extension == ".obj" || extension == ".off" || extension == ".ply";
+}
+
 inline void check_effects_on_outputs(const CLI::App& app, const Options& options)
 {
   require(app, "--view", options.has_png, "--png");
@@ -66,6 +77,12 @@ inline void check_effects(const CLI::App& app, const Options& options)
 {
   for (const char* const name : {"--fuse", "--indices-dataset", "--use-indices"})
     require(app, name, options.input.are_patches, "--patches");
+  for (const char* const name :
+       {"--mesh", "--minimum-fold", "--maximum-facet-fold", "--use-boundaries", "--maximum-number-of-points"})
+    require(app, name, may_be_mesh(options), "a mesh without --distances: .stl, .obj, .off or .ply");
+  for (const char* const name :
+       {"--minimum-fold", "--maximum-facet-fold", "--use-boundaries", "--maximum-number-of-points"})
+    require(app, name, options.input.mesh != Mesh_choice::SCAN, "a mesh that is no --mesh scan");
   check_effects_on_outputs(app, options);
   check_effects_on_curves(app, options.extraction);
 }

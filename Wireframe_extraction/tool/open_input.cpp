@@ -1,5 +1,7 @@
 #include "open_input.h"
+#include "Cloud_in_memory.h"
 #include "Kernel.h"
+#include "open_mesh.h"
 
 #include <CGAL/Wireframe_extraction/IO/Distance_cloud_file.h>
 #include <CGAL/Wireframe_extraction/IO/read_distance_cloud.h>
@@ -16,7 +18,6 @@ namespace {
 
 namespace wireframe = CGAL::Wireframe_extraction;
 typedef Kernel::Point_3 Point;
-typedef std::vector<std::pair<Point, double>> Cloud;
 
 class Cloud_in_file : public Input_cloud
 {
@@ -33,33 +34,6 @@ public:
 
 private:
   CGAL::IO::Distance_cloud_file m_file;
-};
-
-class Cloud_in_memory : public Input_cloud
-{
-public:
-  Cloud cloud;
-  std::size_t skipped = 0;
-  std::string text;
-
-  bool read(const Sink& sink) override
-  {
-    std::vector<Sample> chunk;
-    for (std::size_t i = 0; i < cloud.size(); ++i)
-    {
-      const Point& p = cloud[i].first;
-      chunk.push_back(Sample{p.x(), p.y(), p.z(), cloud[i].second});
-      if (chunk.size() < 4096 && i + 1 < cloud.size())
-        continue;
-      if (!sink(chunk.data(), chunk.data() + chunk.size()))
-        return true;
-      chunk.clear();
-    }
-    return true;
-  }
-
-  std::size_t number_of_skipped() const override { return skipped; }
-  std::string note() const override { return text; }
 };
 
 // pipes cannot be read twice; what is not there at all is told by the reader
@@ -101,6 +75,8 @@ std::unique_ptr<Input_cloud> open_input(const Input& input, std::string& error)
                     .distances_dataset(input.distances_dataset);
   const bool is_once_only =
     can_be_read_once_only(input.files.front()) || (input.has_distances && can_be_read_once_only(input.distances));
+  if (is_mesh_to_sample(input, is_once_only))
+    return open_mesh(input, error);
   if (!input.are_patches && !is_once_only)
     return std::make_unique<Cloud_in_file>(input, np);
   auto result = std::make_unique<Cloud_in_memory>();

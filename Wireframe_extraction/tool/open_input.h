@@ -13,6 +13,14 @@
 
 namespace tool {
 
+// what a mesh is taken for
+enum class Mesh_choice
+{
+  AUTOMATIC,
+  CAD,
+  SCAN
+};
+
 // what is to be read, and how
 struct Input
 {
@@ -22,6 +30,11 @@ struct Input
   std::string distance_property, points_dataset, distances_dataset, indices_dataset;
   bool use_indices = true, skip_invalid = false;
   CGAL::Wireframe_extraction::Patch_fusion fusion = CGAL::Wireframe_extraction::Patch_fusion::MINIMUM;
+  Mesh_choice mesh = Mesh_choice::AUTOMATIC;
+  // of a mesh that is sampled, as of sample_sharp_mesh()
+  double sampling_distance = 0., minimum_fold = 20., maximum_facet_fold = 50.;
+  int maximum_number_of_points = 200000;
+  bool use_boundaries = false;
 };
 
 // A cloud that stays in its file, or one in memory.
@@ -30,11 +43,15 @@ class Input_cloud : public CGAL::Wireframe_extraction::Distance_cloud_source
 public:
   virtual std::size_t number_of_skipped() const = 0;
 
+  // why no sharp feature can be found, if that is known from the start
+  virtual std::string no_feature() const { return std::string(); }
+
   // what the user shall know
   virtual std::string note() const { return std::string(); }
 };
 
-// Opens a cloud. Patches, and what can be read only once, are read at once: then `error` may have what went wrong.
+// Opens a cloud. Patches, meshes that are sampled, and what can be read only once, are read at once: then `error` may have
+// what went wrong.
 std::unique_ptr<Input_cloud> open_input(const Input& input, std::string& error);
 
 } // namespace tool

@@ -18,9 +18,9 @@ import unittest
 LAYERS = (
     ("internal/base",),
     ("internal/options", "internal/spline", "IO/internal/file"),
-    ("internal/cloud", "IO/internal/cloud", "IO/internal/wireframe"),
-    ("internal/estimate", "internal/field", "IO"),
-    ("internal/fit",),
+    ("internal/cloud", "internal/mesh", "IO/internal/cloud", "IO/internal/wireframe"),
+    ("internal/estimate", "internal/field", "IO/internal/mesh"),
+    ("internal/fit", "IO"),
     ("internal/network", "internal/types"),
     ("internal/pipeline",),
     ("the stages",),       # public headers of functions

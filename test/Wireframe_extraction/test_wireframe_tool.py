@@ -451,7 +451,7 @@ class Tool_test(Program_test):
         self.assertGreater(len(names), 25)
         # what only a program can give
         for_programs = {"distance_map", "error_message", "number_of_skipped", "sampling_step",
-                        "extraction_report", "visitor"}
+                        "extraction_report", "mesh_report", "visitor"}
         renamed = {"patch_fusion": "fuse"}
         text = self.extract("--help")
         for name in names:
@@ -505,10 +505,10 @@ class Tool_test(Program_test):
         self.assertEqual(set(booleans), {"--obj-splines", "--patches", "--use-indices", "--skip-invalid",
                                          "--keep-failed", "--paper", "--quiet", "--use-creases", "--use-tangents",
                                          "--use-robust-loss", "--move-corners", "--adapt-knots", "--recognize-types",
-                                         "--splines-only", "--regularize"})
+                                         "--splines-only", "--regularize", "--use-boundaries"})
         for name in booleans:
-            if name == "--keep-failed":
-                continue   # of batches
+            if name in ("--keep-failed", "--use-boundaries"):
+                continue   # of batches, and of meshes
             helpers = HELPERS.get(name, [])
             for words in ([name], [name, "true"], [name, "false"], [name + "=true"], [name + "=false"]):
                 # the only thing that is wrong is the cloud
@@ -546,6 +546,8 @@ class Tool_test(Program_test):
                 (["--regularize"], ["--splines-only"], "--recognize-types"),
                 (["--regularize"], ["--paper"], "--recognize-types"),
                 (["--type-significance", "0.1"], ["--recognize-types", "false"], "--recognize-types"),
+                (["--mesh", "cad"], [], "a mesh"), (["--use-boundaries"], [], ".stl"),
+                (["--maximum-number-of-points", "1000"], [], "a mesh"),
                 (["--jobs", "2"], [], "--batch"), (["--keep-failed"], [], "--batch"),
                 (["--output-dir", "x"], [], "--batch")):
             self.refuse(USAGE_ERROR, [option[0], what, "requires"], "c.xyz", "-o", "out.json", *option, *others)
@@ -650,7 +652,7 @@ class Tool_test(Program_test):
 
     def test_files(self):
         self.refuse(BAD_INPUT, ["none.ply", "No such file"], "none.ply", "-o", "out.json")
-        self.refuse(BAD_INPUT, ["none.stl", "extension"], "none.stl", "-o", "out.json")
+        self.refuse(BAD_INPUT, ["none.stl", "check its name"], "none.stl", "-o", "out.json")
         (self.folder / "folder.ply").mkdir()
         self.refuse(BAD_INPUT, ["folder.ply", "directory"], "folder.ply", "-o", "out.json")
         self.refuse(BAD_INPUT, ["none.ply"], "none.ply", "-o", "out.json", "--stages", "a/b/c")
@@ -658,6 +660,81 @@ class Tool_test(Program_test):
         for name in ("empty.ply", "empty.xyz", "empty.csv"):
             self.refuse_text(BAD_INPUT, ["is empty", "get a complete copy"], "", name)
         self.refuse_text(BAD_INPUT, ["no points"], "# nothing\n")
+
+    # a box of 2 x 1 x 0.7
+    VERTICES = [(x, y, z) for z in (0, 0.7) for x, y in ((0, 0), (2, 0), (2, 1), (0, 1))]
+    FACES = [(0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7), (3, 2, 1, 0), (4, 5, 6, 7)]
+
+    def write_meshes(self):
+        """The box in all formats for meshes; returns their names."""
+        lines = [" ".join(map(str, vertex)) + "\n" for vertex in self.VERTICES]
+        faces = ["4 " + " ".join(map(str, face)) + "\n" for face in self.FACES]
+        (self.folder / "box.off").write_text("OFF\n8 6 0\n" + "".join(lines + faces))
+        (self.folder / "box.ply").write_text(
+            self.ply(8, ("x", "y", "z")).replace("end_header", "element face 6\nproperty list uchar int vertex_indices\n"
+                                                 "end_header") + "".join(lines + faces))
+        (self.folder / "box.obj").write_text(
+            "".join("v " + line for line in lines)
+            + "".join("f " + " ".join(str(v + 1) for v in face) + "\n" for face in self.FACES))
+        triangles = [(a, b, c) for a, b, c, d in self.FACES] + [(a, c, d) for a, b, c, d in self.FACES]
+        (self.folder / "box.stl").write_bytes(bytes(80) + struct.pack("<I", len(triangles)) + b"".join(
+            struct.pack("<12f", 0, 0, 0, *(x for v in face for x in self.VERTICES[v])) + bytes(2) for face in triangles))
+        return ["box.off", "box.ply", "box.obj", "box.stl"]
+
+    def test_meshes(self):
+        for name in self.write_meshes():
+            with self.subTest(name=name):
+                said = self.extract(name, "-o", "out.json", "-o", "out.obj")
+                self.assertIn("taken for a shape (--mesh cad): 12 triangles, 12 sharp edges in 12 curves", said)
+                wireframe = self.read_json("out.json")
+                self.check_wireframe(wireframe)
+                self.assertEqual([curve["type"] for curve in wireframe["curves"]], 12 * ["line"])
+                self.assertLess(max(min(math.dist(p, q) for q in self.VERTICES) for p in wireframe["vertices"]), 1e-5)
+                (self.folder / "out.json").unlink()
+        said = self.extract("box.stl", "-o", "out.json", "--sampling-distance", "0.05")
+        self.assertIn("r = 0.05", said)
+        self.assertRegex(said, r"r +0\.05 \(given\)")
+        few = int(re.search(r"Points +(\d+)", said)[1])
+        many = int(re.search(r"Points +(\d+)", self.extract("box.stl", "-o", "out.json"))[1])
+        self.assertLess(few, 5000)
+        self.assertGreater(many, 15000)
+        self.extract("box.stl", "-o", "a.json", "--threads", "1")
+        self.extract("box.stl", "-o", "b.json", "--threads", "2")
+        self.assertEqual(self.read_json("a.json"), self.read_json("b.json"))
+
+    def test_choices_of_meshes(self):
+        self.write_meshes()
+        self.refuse(NO_FEATURE, ["no edge of the mesh is sharp", "120 degrees", "--minimum-fold"], "box.stl", "-o",
+                    "out.json", "--minimum-fold", "120")
+        for name in ("box.stl", "box.obj"):
+            self.refuse(BAD_INPUT, [name, "the mesh is a scan: its vertices are a cloud without distances", "--mesh cad"],
+                        name, "-o", "out.json", "--mesh", "scan")
+        self.refuse(BAD_INPUT, ["box.ply", "have no property for the distance"], "box.ply", "-o", "out.json", "--mesh",
+                    "scan")
+        self.refuse(USAGE_ERROR, ["--use-boundaries", "scan"], "box.stl", "-o", "out.json", "--mesh", "scan",
+                    "--use-boundaries")
+        # distances that are there count
+        (self.folder / "distances.txt").write_text("1\n" * 8)
+        self.refuse(BAD_INPUT, ["box.off", "all distances are 1"], "box.off", "-o", "out.json", "--distances",
+                    "distances.txt")
+        self.refuse(USAGE_ERROR, ["--mesh"], "box.off", "-o", "out.json", "--distances", "distances.txt", "--mesh", "cad")
+        open_box = "".join(f"v {x} {y} {z}\n" for x, y, z in self.VERTICES)
+        open_box += "".join("f " + " ".join(str(v + 1) for v in face) + "\n" for face in self.FACES[:5])
+        (self.folder / "open.obj").write_text(open_box)
+        self.assertIn("8 sharp edges", self.extract("open.obj", "-o", "out.json"))
+        self.assertIn("12 sharp edges", self.extract("open.obj", "-o", "out.json", "--use-boundaries"))
+
+    def test_bad_meshes(self):
+        self.write_meshes()
+        cut = (self.folder / "box.stl").read_bytes()[:-7]
+        self.refuse_text(BAD_INPUT, ["12 facets", "truncated"], cut, "c.stl")
+        self.refuse_text(BAD_INPUT, ["is empty", "get a complete copy"], "", "c.stl")
+        self.refuse_text(BAD_INPUT, ["c.obj:2:", "1 vertex"], "v 0 0 0\nf 1\n", "c.obj")
+        self.refuse_text(BAD_INPUT, ["no face has an area"], "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "c.obj")
+        self.refuse_text(BAD_INPUT, ["c.ply", "vertex 9"], (self.folder / "box.ply").read_text().replace("4 4 5 6 7", "4 4 5 6 9"),
+                         "c.ply")
+        self.refuse_text(BAD_INPUT, ["50 million"],
+                         (self.folder / "box.stl").read_bytes(), "c.stl", "--sampling-distance", "1e-6")
 
     def test_text(self):
         rows = "0 0 0 1\n"

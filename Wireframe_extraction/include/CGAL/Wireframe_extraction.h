@@ -24,5 +24,6 @@
 #include <CGAL/Wireframe_extraction/Wireframe_graph.h>
 #include <CGAL/Wireframe_extraction/fuse_distance_patches.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
+#include <CGAL/Wireframe_extraction/sample_sharp_mesh.h>
 
 #endif // CGAL_WIREFRAME_EXTRACTION_H

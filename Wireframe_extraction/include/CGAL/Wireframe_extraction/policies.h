@@ -48,6 +48,14 @@ enum class Patch_fusion
 };
 
 /// \ingroup PkgWireframeExtractionParameters
+/// What a mesh is of.
+enum class Mesh_kind
+{
+  CAD, ///< a shape: its edges are edges of the mesh, which can be sampled
+  SCAN ///< points that were measured, and joined to triangles: the vertices are a cloud, without distances
+};
+
+/// \ingroup PkgWireframeExtractionParameters
 /// What one unit of the coordinates is, for formats that say so. Coordinates are never converted.
 enum class Length_unit
 {

@@ -15,4 +15,5 @@
 CGAL_add_named_parameter(callback_t, callback, callback)
 CGAL_add_named_parameter(geom_traits_t, geom_traits, geom_traits)
 CGAL_add_named_parameter(point_t, point_map, point_map)
+CGAL_add_named_parameter(random_seed_t, random_seed, random_seed)
 CGAL_add_named_parameter(visitor_t, visitor, visitor)

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_MESH_MESH_FORMATS_H
+#define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_MESH_MESH_FORMATS_H
+
+#include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
+#include <CGAL/Wireframe_extraction/internal/mesh/Polygon_soup.h>
+
+#include <istream>
+#include <string>
+
+namespace CGAL {
+namespace IO {
+namespace internal {
+
+typedef CGAL::Wireframe_extraction::internal::Polygon_soup Polygon_soup;
+
+enum class Mesh_format
+{
+  STL,
+  OBJ,
+  OFF,
+  PLY,
+  UNKNOWN
+};
+
+// by the extension
+Mesh_format find_mesh_format(const std::string& filename);
+
+// What a file is for who wants a mesh.
+struct Mesh_file_content
+{
+  bool is_mesh = false;       // of a format for meshes only, or with faces
+  bool has_distances = false; // its vertices have a property for them
+};
+
+// Looks at the beginning of a file; of what cannot be read, nothing is known. The name of the property of the distances
+// may be empty.
+Mesh_file_content look_at_mesh_file(const std::string& filename, const std::string& distance_property);
+
+// Reads the vertices and faces of a file. Returns what is wrong, where, and what helps; nothing if all went well.
+std::string read_mesh_file(const std::string& filename, Polygon_soup& soup);
+
+// The same out of a stream. `name` is for messages.
+std::string read_mesh_stream(std::istream& stream, Mesh_format format, const std::string& name, Polygon_soup& soup);
+
+} // namespace internal
+} // namespace IO
+} // namespace CGAL
+
+#ifdef CGAL_WIREFRAME_EXTRACTION_HEADER_ONLY
+#include <CGAL/Wireframe_extraction/IO/internal/mesh/mesh_formats_impl.h>
+#endif
+
+#endif // CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_MESH_MESH_FORMATS_H

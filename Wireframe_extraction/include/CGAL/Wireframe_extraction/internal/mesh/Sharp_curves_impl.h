@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_MESH_SHARP_CURVES_IMPL_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_MESH_SHARP_CURVES_IMPL_H
+
+#include <CGAL/Wireframe_extraction/internal/mesh/Sharp_curves.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// Follows sharp edges from vertex to vertex.
+class Sharp_curve_finder
+{
+public:
+  Sharp_curve_finder(const Triangle_mesh& mesh, const Sharp_edges& sharp) : m_mesh(mesh), m_sharp(sharp)
+  {
+    for (std::uint32_t i : sharp.edges)
+      for (std::uint32_t v : {mesh.edges[i].source, mesh.edges[i].target})
+        m_around[v].push_back(i);
+    for (const Triangle_mesh::Edge& edge : mesh.edges)
+      if (mesh.is_boundary(edge))
+        m_is_on_boundary.insert({edge.source, edge.target});
+  }
+
+  Sharp_curves find()
+  {
+    Sharp_curves result;
+    result.number_of_vertices = m_around.size();
+    for (const auto& vertex : m_around)
+    {
+      const std::vector<std::uint32_t>& edges = vertex.second;
+      result.number_of_corners += edges.size() > 2 ? 1 : 0;
+      const bool is_end = edges.size() == 1 && m_is_on_boundary.count(vertex.first) == 0;
+      const bool is_zigzag = edges.size() == 2 && turn(vertex.first, edges) > largest_turn;
+      result.number_of_loose_ends += is_end || is_zigzag ? 1 : 0;
+    }
+    for (std::uint32_t first : m_sharp.edges)
+      if (m_is_done.insert(first).second)
+        result.lengths.push_back(follow(first));
+    return result;
+  }
+
+private:
+  static constexpr double smooth_turn = 40.;  // degrees: polylines of coarse meshes turn by no more
+  static constexpr double largest_turn = 50.; // degrees: more is no polyline of a curve, but a zigzag
+
+  std::uint32_t other_end(std::uint32_t edge, std::uint32_t v) const
+  {
+    return m_mesh.edges[edge].source == v ? m_mesh.edges[edge].target : m_mesh.edges[edge].source;
+  }
+
+  // by which two edges turn at their vertex, degrees
+  double turn(std::uint32_t v, const std::vector<std::uint32_t>& edges) const
+  {
+    const Vector in = (m_mesh.points[v] - m_mesh.points[other_end(edges[0], v)]).normalized();
+    const Vector out = (m_mesh.points[other_end(edges[1], v)] - m_mesh.points[v]).normalized();
+    return std::acos((std::max)(-1., (std::min)(1., in.dot(out)))) * 180. / CGAL_PI;
+  }
+
+  double length(std::uint32_t edge) const
+  {
+    return (m_mesh.points[m_mesh.edges[edge].target] - m_mesh.points[m_mesh.edges[edge].source]).norm();
+  }
+
+  double follow(std::uint32_t first)
+  {
+    double sum = length(first);
+    for (std::uint32_t v : {m_mesh.edges[first].source, m_mesh.edges[first].target})
+      for (std::uint32_t edge = first;;)
+      {
+        const std::vector<std::uint32_t>& edges = m_around[v];
+        if (edges.size() != 2 || turn(v, edges) > smooth_turn)
+          break;
+        edge = edges[0] == edge ? edges[1] : edges[0];
+        if (!m_is_done.insert(edge).second)
+          break;
+        sum += length(edge);
+        v = other_end(edge, v);
+      }
+    return sum;
+  }
+
+  const Triangle_mesh& m_mesh;
+  const Sharp_edges& m_sharp;
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> m_around; // edges at vertices
+  std::unordered_set<std::uint32_t> m_is_on_boundary, m_is_done;
+};
+
+CGAL_WIREFRAME_EXTRACTION_INLINE Sharp_curves find_sharp_curves(const Triangle_mesh& mesh, const Sharp_edges& sharp)
+{
+  return Sharp_curve_finder(mesh, sharp).find();
+}
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_MESH_SHARP_CURVES_IMPL_H

@@ -1,0 +1,21 @@
+// The meshes that the tool extract_wireframe reads. All that knows about meshes is compiled apart from the rest.
+
+#ifndef EXTRACT_WIREFRAME_OPEN_MESH_H
+#define EXTRACT_WIREFRAME_OPEN_MESH_H
+
+#include "open_input.h"
+
+#include <memory>
+#include <string>
+
+namespace tool {
+
+// Whether the input is a mesh whose faces are to be looked at: it is none for its points and distances.
+bool is_mesh_to_sample(const Input& input, bool is_once_only);
+
+// Reads a mesh, and samples it if it is a shape.
+std::unique_ptr<Input_cloud> open_mesh(const Input& input, std::string& error);
+
+} // namespace tool
+
+#endif // EXTRACT_WIREFRAME_OPEN_MESH_H
