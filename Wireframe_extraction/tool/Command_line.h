@@ -24,7 +24,7 @@ class Command_line : public Option_parser
 public:
   explicit Command_line(Options& options)
     : Option_parser(
-      "Extracts a parametric wireframe from a point cloud with estimated distances to sharp curves, or from a mesh.",
+      "Extracts a parametric wireframe from a point cloud with distances to sharp curves, or from a mesh.",
       "extract_wireframe"),
       m_options(options)
   {

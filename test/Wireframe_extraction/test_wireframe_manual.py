@@ -32,7 +32,7 @@ STAGES = {"select_skeleton.h": ("field/select_skeleton_impl.h",), "contract_skel
           "build_topological_graph.h": ("network/build_network_impl.h", "network/Subdivided_network.h",
                                         "network/Traced_network.h", "fit/Spline_network_fit.h")}
 NOT_FOR_USERS = {("build_topological_graph.h", "number_of_rounds")}  # always 2 there
-CGAL_PARAMETERS = {"point_map", "geom_traits", "callback", "visitor", "use_binary_mode", "verbose"}
+CGAL_PARAMETERS = {"point_map", "geom_traits", "callback", "random_seed", "visitor", "use_binary_mode", "verbose"}
 
 
 def public_headers(root):

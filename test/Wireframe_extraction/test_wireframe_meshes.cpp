@@ -168,6 +168,45 @@ void test_samples()
   assert(above > 1300 && plate.size() - above > 1300);
 }
 
+// Where facets approximate something round, so are the points and their distances.
+void test_round_surfaces()
+{
+  const double r = 0.03;
+  for (std::size_t n : {12, 16, 24, 64})
+  {
+    // up to what a parabola differs from an arc, and the caps from discs
+    const double angle = 2. * CGAL_PI / static_cast<double>(n), sagitta = 1. - std::cos(0.5 * angle);
+    const double tolerance = 0.1 * sagitta;
+    Report report;
+    double largest = 0.;
+    for (const auto& point : sample(prism_mesh(circle_outline(n), 0., 1.3), report, parameters::sampling_distance(r)))
+    {
+      const Point& p = point.first;
+      const double radius = std::hypot(p.x(), p.y()), height = (std::min)(p.z(), 1.3 - p.z());
+      const bool is_on_cap = height < 1e-12 && radius < 1. - tolerance;
+      assert(is_on_cap || std::abs(radius - 1.) < sagitta + tolerance);
+      if (!is_on_cap && height > 1e-12)
+        largest = (std::max)(largest, std::abs(radius - 1.));
+      const double distance = (std::min)(50. * r, std::hypot(radius - 1., height));
+      assert(std::abs(point.second - distance) < 1e-3 * sagitta + 1e-4);
+    }
+    assert(largest < tolerance);
+  }
+  // nothing of it where there are flat faces only
+  Report report;
+  for (const auto& point : sample(prism_mesh(circle_outline(6), 0., 1.), report, parameters::sampling_distance(0.05)))
+  {
+    const Point& p = point.first;
+    double inside = (std::min)(p.z(), 1. - p.z());
+    for (int i = 0; i < 6; ++i)
+    {
+      const double angle = (i + 0.5) * CGAL_PI / 3.;
+      inside = (std::min)(inside, std::cos(CGAL_PI / 6.) - p.x() * std::cos(angle) - p.y() * std::sin(angle));
+    }
+    assert(std::abs(inside) < 1e-12);
+  }
+}
+
 void test_sampling_distance()
 {
   Report report;
@@ -295,6 +334,7 @@ int main()
   test_sharp_edges();
   test_facets();
   test_samples();
+  test_round_surfaces();
   test_sampling_distance();
   test_repair();
   test_kinds();

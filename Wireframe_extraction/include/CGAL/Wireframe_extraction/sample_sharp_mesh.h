@@ -95,7 +95,13 @@ bool tell_about_mesh(const NamedParameters& np, const Sharp_mesh_report& report,
 /// which a curved surface is approximated: a fold is that of a facet if it is at most `maximum_facet_fold`, and if
 /// the surface is folded by about as much, in the same direction, where the facets beside it end, which are about
 /// as wide. Folds of at most 70 degrees that vanish at half a sampling distance, as slivers have them, are not sharp.
-/// Edges of more than two faces are sharp.
+/// Edges of more than two faces are sharp. Where a sharp curve ends within a face, it is followed along edges that are
+/// folded by 0.3 times `minimum_fold` or more, for no longer than it is sharp: its fold fades.
+///
+/// Curves and surfaces are taken to be round where chords and facets approximate something round: sharp edges that turn on
+/// as chords of an arc do are replaced by that arc, and between facets that are folded by 3 to `maximum_facet_fold`
+/// degrees, the points are moved onto the parabola that has the mean normals at the vertices. So the cloud of a
+/// tessellated cylinder is that of a cylinder, with circles.
 ///
 /// Points at the same place are one, polygons are triangulated, triangles without area and triangles that are there
 /// twice are left out, and edges on which vertices of others lie are joined with them. The mesh need be neither closed nor

@@ -17,6 +17,7 @@
 #include <CGAL/Wireframe_extraction/internal/mesh/sharp_edges.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -26,7 +27,9 @@ namespace internal {
 // How the sharp edges of a mesh hang together.
 struct Sharp_curves
 {
-  // of the polylines that sharp edges form between the vertices where not two of them meet, or that are turned at
+  // The polylines that sharp edges form between the vertices where not two of them meet, or that are turned at, by the
+  // indices of their points. Closed ones end where they start.
+  std::vector<std::vector<std::uint32_t>> polylines;
   std::vector<double> lengths;
   std::size_t number_of_vertices = 0;   // of sharp edges
   std::size_t number_of_corners = 0;    // where more than two sharp edges meet

@@ -56,7 +56,10 @@ public:
     }
     for (std::uint32_t first : m_sharp.edges)
       if (m_is_done.insert(first).second)
-        result.lengths.push_back(follow(first));
+      {
+        result.polylines.push_back(polyline_from(first));
+        result.lengths.push_back(length(result.polylines.back()));
+      }
     return result;
   }
 
@@ -77,27 +80,38 @@ private:
     return std::acos((std::max)(-1., (std::min)(1., in.dot(out)))) * 180. / CGAL_PI;
   }
 
-  double length(std::uint32_t edge) const
+  double length(const std::vector<std::uint32_t>& polyline) const
   {
-    return (m_mesh.points[m_mesh.edges[edge].target] - m_mesh.points[m_mesh.edges[edge].source]).norm();
+    double sum = 0.;
+    for (std::size_t i = 1; i < polyline.size(); ++i)
+      sum += (m_mesh.points[polyline[i]] - m_mesh.points[polyline[i - 1]]).norm();
+    return sum;
   }
 
-  double follow(std::uint32_t first)
+  std::vector<std::uint32_t> polyline_from(std::uint32_t first)
   {
-    double sum = length(first);
-    for (std::uint32_t v : {m_mesh.edges[first].source, m_mesh.edges[first].target})
-      for (std::uint32_t edge = first;;)
-      {
-        const std::vector<std::uint32_t>& edges = m_around[v];
-        if (edges.size() != 2 || turn(v, edges) > smooth_turn)
-          break;
-        edge = edges[0] == edge ? edges[1] : edges[0];
-        if (!m_is_done.insert(edge).second)
-          break;
-        sum += length(edge);
-        v = other_end(edge, v);
-      }
-    return sum;
+    std::vector<std::uint32_t> behind = vertices_beyond(first, m_mesh.edges[first].source);
+    std::vector<std::uint32_t> result(behind.rbegin(), behind.rend());
+    const std::vector<std::uint32_t> before = vertices_beyond(first, m_mesh.edges[first].target);
+    result.insert(result.end(), before.begin(), before.end());
+    return result;
+  }
+
+  // the vertices from one end of an edge on
+  std::vector<std::uint32_t> vertices_beyond(std::uint32_t edge, std::uint32_t v)
+  {
+    std::vector<std::uint32_t> result = {v};
+    for (;;)
+    {
+      const std::vector<std::uint32_t>& edges = m_around[v];
+      if (edges.size() != 2 || turn(v, edges) > smooth_turn)
+        return result;
+      edge = edges[0] == edge ? edges[1] : edges[0];
+      if (!m_is_done.insert(edge).second)
+        return result;
+      v = other_end(edge, v);
+      result.push_back(v);
+    }
   }
 
   const Triangle_mesh& m_mesh;

@@ -15,7 +15,9 @@
 #include <CGAL/Wireframe_extraction/internal/base/cell_key.h>
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
+#include <CGAL/Wireframe_extraction/internal/mesh/Rounded_surface.h>
 #include <CGAL/Wireframe_extraction/internal/mesh/Sharp_mesh.h>
+#include <CGAL/Wireframe_extraction/internal/mesh/round_polyline.h>
 
 #include <CGAL/AABB_segment_primitive.h>
 #include <CGAL/AABB_traits.h>
@@ -96,8 +98,8 @@ inline double choose_sampling_distance(const Sharp_mesh& mesh, const Sharp_mesh_
 class Mesh_dart_thrower
 {
 public:
-  Mesh_dart_thrower(const Triangle_mesh& mesh, double radius, std::uint32_t seed)
-    : m_mesh(mesh), m_radius(radius), m_cell(2. * radius), m_random(seed)
+  Mesh_dart_thrower(const Triangle_mesh& mesh, const Sharp_edges& sharp, double radius, std::uint32_t seed)
+    : m_mesh(mesh), m_surface(mesh, sharp), m_radius(radius), m_cell(2. * radius), m_random(seed)
   {
     double sum = 0.;
     for (double area : mesh.areas)
@@ -121,15 +123,13 @@ private:
     const std::size_t face =
       (std::min)(static_cast<std::size_t>(std::upper_bound(m_sums.begin(), m_sums.end(), target) - m_sums.begin()),
                  m_sums.size() - 1);
-    const Triangle_mesh::Triangle& t = m_mesh.triangles[face];
     double u = number(), v = number();
     if (u + v > 1.)
     {
       u = 1. - u;
       v = 1. - v;
     }
-    const Vector a = m_mesh.points[t[0]];
-    const Vector p = a + u * (m_mesh.points[t[1]] - a) + v * (m_mesh.points[t[2]] - a);
+    const Vector p = m_surface(face, {{1. - u - v, u, v}});
     if (has_neighbor(p, m_mesh.normals[face]))
       return;
     m_cells[key(coordinate(p.x()), coordinate(p.y()), coordinate(p.z()))].push_back(
@@ -160,6 +160,7 @@ private:
   }
 
   const Triangle_mesh& m_mesh;
+  const Rounded_surface m_surface;
   const double m_radius, m_cell;
   std::mt19937_64 m_random; // the same numbers everywhere
   std::vector<double> m_sums;
@@ -170,8 +171,7 @@ private:
 // ---- distances ----
 
 // The distances of points to sharp edges, cut off.
-inline std::vector<double> distances_to_edges(const Triangle_mesh& mesh, const Sharp_edges& sharp,
-                                              const std::vector<Vector>& points, double cut)
+inline std::vector<double> distances_to_edges(const Sharp_mesh& mesh, const std::vector<Vector>& points, double cut)
 {
   typedef CGAL::Simple_cartesian<double> Kernel;
   typedef std::vector<Kernel::Segment_3> Segments;
@@ -183,12 +183,19 @@ inline std::vector<double> distances_to_edges(const Triangle_mesh& mesh, const S
 #endif
 
   std::vector<double> distances(points.size(), cut);
-  if (sharp.edges.empty())
+  if (mesh.curves.polylines.empty())
     return distances;
   const auto point = [](const Vector& p) { return Kernel::Point_3(p.x(), p.y(), p.z()); };
   Segments segments;
-  for (std::uint32_t i : sharp.edges)
-    segments.emplace_back(point(mesh.points[mesh.edges[i].source]), point(mesh.points[mesh.edges[i].target]));
+  for (const std::vector<std::uint32_t>& polyline : mesh.curves.polylines)
+  {
+    std::vector<Vector> places;
+    for (std::uint32_t v : polyline)
+      places.push_back(mesh.mesh.points[v]);
+    places = round_polyline(places);
+    for (std::size_t i = 1; i < places.size(); ++i)
+      segments.emplace_back(point(places[i - 1]), point(places[i]));
+  }
   CGAL::AABB_tree<Traits> tree(segments.begin(), segments.end());
   tree.accelerate_distance_queries();
   for_each_piece(points.size(), [&](std::size_t begin, std::size_t end) {
@@ -238,9 +245,9 @@ CGAL_WIREFRAME_EXTRACTION_INLINE Mesh_samples sample_mesh(const Sharp_mesh& mesh
   const double r = options.sampling_distance > 0. ? options.sampling_distance : choose_sampling_distance(mesh, options);
   const double number = std::ceil(darts * mesh_sample_density * mesh.mesh.area / (r * r));
   samples.sampling_distance = r;
-  samples.points =
-    Mesh_dart_thrower(mesh.mesh, radius * r, options.random_seed).throw_darts(static_cast<std::size_t>(number) + 1);
-  samples.distances = distances_to_edges(mesh.mesh, mesh.sharp, samples.points, truncation * r);
+  samples.points = Mesh_dart_thrower(mesh.mesh, mesh.sharp, radius * r, options.random_seed)
+                     .throw_darts(static_cast<std::size_t>(number) + 1);
+  samples.distances = distances_to_edges(mesh, samples.points, truncation * r);
   return samples;
 }
 

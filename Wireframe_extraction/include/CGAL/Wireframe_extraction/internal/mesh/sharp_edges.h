@@ -37,9 +37,10 @@ struct Sharp_edges
   std::vector<std::uint32_t> edges; // of the mesh, rising
   std::vector<double> folds;       // of all edges of the mesh, degrees; positive on the side of the normals' tips; 0 of
                                    // edges that have not two faces
-  std::vector<bool> is_facet_edge; // of all edges: larger than the minimum, but a facet of a curved surface
+  std::vector<bool> is_facet_edge; // of all edges: folded as facets of a curved surface are
   double minimum_fold = 20.;       // degrees, as of the options
-  std::size_t number_of_facet_edges = 0, number_of_boundary_edges = 0, number_of_non_manifold_edges = 0;
+  std::size_t number_of_facet_edges = 0; // larger than the minimum fold
+  std::size_t number_of_boundary_edges = 0, number_of_non_manifold_edges = 0;
 };
 
 Sharp_edges find_sharp_edges(const Triangle_mesh& mesh, const Sharp_edge_options& options);

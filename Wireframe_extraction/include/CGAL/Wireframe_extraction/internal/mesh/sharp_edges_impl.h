@@ -23,6 +23,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <unordered_map>
+#include <vector>
 
 namespace CGAL {
 namespace Wireframe_extraction {
@@ -45,8 +47,12 @@ public:
     m_result.minimum_fold = m_options.minimum_fold;
     measure_folds();
     mark_facet_edges();
+    m_is_sharp.resize(m_mesh.edges.size());
     for (std::size_t i = 0; i < m_mesh.edges.size(); ++i)
-      if (is_sharp(i))
+      m_is_sharp[i] = is_sharp(i);
+    follow_fading_edges();
+    for (std::size_t i = 0; i < m_mesh.edges.size(); ++i)
+      if (m_is_sharp[i])
         m_result.edges.push_back(static_cast<std::uint32_t>(i));
     return std::move(m_result);
   }
@@ -63,6 +69,10 @@ private:
   static constexpr double alike = 2.;
   // degrees: slivers of a tessellation are folded by no more
   static constexpr double largest_of_slivers = 70.;
+  // degrees: facets of smaller folds are as good as the surface that they approximate
+  static constexpr double least_facet_fold = 3.;
+  // the part of the minimum fold down to which a sharp curve is followed, and degrees by which it turns at most
+  static constexpr double faded = 0.3, largest_turn = 40.;
   static constexpr int most_steps = 64;                                // triangles that are crossed
   static constexpr std::array<double, 3> starts = {{0.5, 0.25, 0.75}}; // on the edge, from where one looks across
 
@@ -255,7 +265,7 @@ private:
     for (std::size_t i = 0; i < m_mesh.edges.size(); ++i)
     {
       const double fold = std::abs(m_result.folds[i]);
-      if (m_mesh.edges[i].is_split || fold < m_options.minimum_fold || fold > m_options.maximum_facet_fold)
+      if (m_mesh.edges[i].is_split || fold < least_facet_fold || fold > m_options.maximum_facet_fold)
         continue;
       std::size_t votes = 0;
       for (double part : starts)
@@ -263,7 +273,7 @@ private:
       if (2 * votes > starts.size())
       {
         m_result.is_facet_edge[i] = true;
-        ++m_result.number_of_facet_edges;
+        m_result.number_of_facet_edges += fold >= m_options.minimum_fold ? 1 : 0;
       }
     }
   }
@@ -282,9 +292,114 @@ private:
       && (are_alike(other.width_of_half, one.width) || are_alike(other.free_width, one.width));
   }
 
+  // ---- edges that fade ----
+
+  // whether an edge may be where a sharp curve goes on with a smaller fold
+  bool may_fade(std::size_t i) const
+  {
+    const Edge& edge = m_mesh.edges[i];
+    return !m_is_sharp[i] && !edge.is_split && edge.number_of_faces == 2 && !m_result.is_facet_edge[i]
+      && std::abs(m_result.folds[i]) >= faded * m_options.minimum_fold;
+  }
+
+  std::uint32_t other_end(std::uint32_t i, std::uint32_t v) const
+  {
+    return m_mesh.edges[i].source == v ? m_mesh.edges[i].target : m_mesh.edges[i].source;
+  }
+
+  // An edge of a CAD model is sharp as a whole, also where its fold fades. So a sharp curve that ends within a face is
+  // followed along smaller folds, for no longer than it is sharp.
+  void follow_fading_edges()
+  {
+    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> sharp_at, faded_at; // edges at vertices
+    for (std::size_t i = 0; i < m_mesh.edges.size(); ++i)
+      for (std::uint32_t v : {m_mesh.edges[i].source, m_mesh.edges[i].target})
+        if (m_is_sharp[i])
+          sharp_at[v].push_back(static_cast<std::uint32_t>(i));
+        else if (may_fade(i))
+          faded_at[v].push_back(static_cast<std::uint32_t>(i));
+    std::vector<std::uint32_t> ends;
+    for (const auto& vertex : sharp_at)
+      if (vertex.second.size() == 1)
+        ends.push_back(vertex.first);
+    std::sort(ends.begin(), ends.end()); // in whatever order they were in the table
+    for (std::uint32_t end : ends)
+      if (sharp_at[end].size() == 1)
+        follow(end, sharp_at, faded_at);
+  }
+
+  typedef std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> Edges_at;
+
+  void follow(std::uint32_t v, Edges_at& sharp_at, const Edges_at& faded_at)
+  {
+    const double sharp_length = length_up_to(v, sharp_at);
+    const double side = m_result.folds[sharp_at[v].front()];
+    std::vector<std::uint32_t> way;
+    std::uint32_t last = sharp_at[v].front();
+    double length = 0.;
+    for (std::size_t step = 0; step < m_mesh.edges.size(); ++step)
+    {
+      const auto candidates = faded_at.find(v);
+      std::uint32_t best = Triangle_mesh::none;
+      double straightest = std::cos(largest_turn * CGAL_PI / 180.);
+      if (candidates != faded_at.end())
+        for (std::uint32_t i : candidates->second)
+        {
+          const double cosine = (m_mesh.points[v] - m_mesh.points[other_end(last, v)])
+                                  .normalized()
+                                  .dot((m_mesh.points[other_end(i, v)] - m_mesh.points[v]).normalized());
+          if (!m_is_sharp[i] && m_result.folds[i] * side > 0. && cosine > straightest)
+          {
+            straightest = cosine;
+            best = i;
+          }
+        }
+      if (best == Triangle_mesh::none)
+        break;
+      way.push_back(best);
+      length += edge_length(best);
+      last = best;
+      v = other_end(best, v);
+      const auto met = sharp_at.find(v);
+      if ((met != sharp_at.end() && !met->second.empty()) || length > sharp_length)
+        break;
+    }
+    if (length > sharp_length)
+      return;
+    for (std::uint32_t i : way)
+    {
+      m_is_sharp[i] = true;
+      sharp_at[m_mesh.edges[i].source].push_back(i);
+      sharp_at[m_mesh.edges[i].target].push_back(i);
+    }
+  }
+
+  double edge_length(std::uint32_t i) const
+  {
+    return (m_mesh.points[m_mesh.edges[i].target] - m_mesh.points[m_mesh.edges[i].source]).norm();
+  }
+
+  // of the sharp curve that ends at a vertex, up to where others meet it
+  double length_up_to(std::uint32_t v, const Edges_at& sharp_at) const
+  {
+    double length = 0.;
+    std::uint32_t edge = sharp_at.at(v).front();
+    for (std::size_t step = 0; step < m_mesh.edges.size(); ++step)
+    {
+      length += edge_length(edge);
+      v = other_end(edge, v);
+      const std::vector<std::uint32_t>& edges = sharp_at.at(v);
+      if (edges.size() != 2)
+        break;
+      edge = edges[0] == edge ? edges[1] : edges[0];
+    }
+    return length;
+  }
+
   const Triangle_mesh& m_mesh;
   const Sharp_edge_options& m_options;
   Sharp_edges m_result;
+  std::vector<bool> m_is_sharp; // of the edges
 };
 
 CGAL_WIREFRAME_EXTRACTION_INLINE Sharp_edges find_sharp_edges(const Triangle_mesh& mesh,
