@@ -18,7 +18,14 @@
 #pragma GCC system_header
 #endif
 
-#include <ceres/ceres.h>
+// not <ceres/ceres.h>, half of which serves nothing here
+#include <ceres/cost_function.h>
+#include <ceres/evaluation_callback.h>
+#include <ceres/iteration_callback.h>
+#include <ceres/loss_function.h>
+#include <ceres/problem.h>
+#include <ceres/sized_cost_function.h>
+#include <ceres/solver.h>
 
 namespace CGAL {
 namespace Wireframe_extraction {

@@ -13,9 +13,9 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SECOND_VARIANCE_RATIO_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
+#include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/linear_least_squares_fitting_3.h>
+#include <Eigen/Core>
 
 #include <cmath>
 #include <cstddef>
@@ -25,22 +25,27 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// The second explained variance ratio of the points of a ball (eq. 1). CGAL's fits return 1 - l2 / l3 for a line and
-// 1 - l1 / l2 for a plane, where l1 <= l2 <= l3 are the variances along the principal axes.
+// The second explained variance ratio of the points of a ball (eq. 1), of the variances l1 <= l2 <= l3 along the principal
+// axes.
 inline double second_variance_ratio(const std::vector<Vector>& points, const std::vector<std::size_t>& ball)
 {
-  typedef CGAL::Simple_cartesian<double> K;
   if (ball.size() < 3)
     return 0.;
-  std::vector<K::Point_3> positions;
+  Vector center = Vector::Zero();
   for (std::size_t i : ball)
-    positions.emplace_back(points[i].x(), points[i].y(), points[i].z());
-  const CGAL::Dimension_tag<0> of_points;
-  const auto first = positions.begin(), beyond = positions.end();
-  K::Line_3 line;
-  K::Plane_3 plane;
-  const double l2_by_l3 = 1. - CGAL::linear_least_squares_fitting_3(first, beyond, line, of_points);
-  const double l1_by_l2 = 1. - CGAL::linear_least_squares_fitting_3(first, beyond, plane, of_points);
+    center += points[i];
+  center /= double(ball.size());
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (std::size_t i : ball)
+  {
+    const Vector d = points[i] - center;
+    covariance += d * d.transpose();
+  }
+  const Vector variances = principal_axes(covariance).values;
+  if (variances[0] == variances[2])
+    return 1. / 3.;
+  const double l2_by_l3 = variances[1] / variances[2];
+  const double l1_by_l2 = variances[1] == 0. ? 1. : variances[0] / variances[1];
   const double ratio = l2_by_l3 / (1. + l2_by_l3 + l1_by_l2 * l2_by_l3);
   return std::isfinite(ratio) ? ratio : 0.;
 }
