@@ -23,6 +23,7 @@
 #include <CGAL/Wireframe_extraction/internal/fit/spline_residuals.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 
+#include <Eigen/Geometry>
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
