@@ -272,7 +272,7 @@ void test_kinds()
 {
   for (double noise : {0., 0.01, 0.02})
     assert(report_of(grid_box_mesh(20, noise)).kind == Mesh_kind::CAD);
-  for (double noise : {0.15, 0.25, 0.5, 1.})
+  for (double noise : {0.1, 0.15, 0.25, 0.5, 1.})
     assert(report_of(grid_box_mesh(20, noise)).kind == Mesh_kind::SCAN);
 }
 

@@ -653,6 +653,8 @@ class Tool_test(Program_test):
     def test_files(self):
         self.refuse(BAD_INPUT, ["none.ply", "No such file"], "none.ply", "-o", "out.json")
         self.refuse(BAD_INPUT, ["none.stl", "check its name"], "none.stl", "-o", "out.json")
+        for name in ("scan.las", "scan.LAZ", "scan.e57"):
+            self.refuse_text(BAD_INPUT, ["is not read", ".ply", "CloudCompare", "pdal"], "LASF", name)
         (self.folder / "folder.ply").mkdir()
         self.refuse(BAD_INPUT, ["folder.ply", "directory"], "folder.ply", "-o", "out.json")
         self.refuse(BAD_INPUT, ["none.ply"], "none.ply", "-o", "out.json", "--stages", "a/b/c")

@@ -14,7 +14,6 @@
 
 #include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
 #include <CGAL/Wireframe_extraction/internal/mesh/Triangle_mesh.h>
-#include <CGAL/Wireframe_extraction/internal/mesh/sharp_edges.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -36,7 +35,7 @@ struct Sharp_curves
   std::size_t number_of_loose_ends = 0; // where one ends within the mesh, or two of them meet at a sharp angle
 };
 
-Sharp_curves find_sharp_curves(const Triangle_mesh& mesh, const Sharp_edges& sharp);
+Sharp_curves find_sharp_curves(const Triangle_mesh& mesh, const std::vector<std::uint32_t>& sharp_edges);
 
 } // namespace internal
 } // namespace Wireframe_extraction

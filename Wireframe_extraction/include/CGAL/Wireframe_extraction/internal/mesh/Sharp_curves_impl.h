@@ -32,9 +32,10 @@ namespace internal {
 class Sharp_curve_finder
 {
 public:
-  Sharp_curve_finder(const Triangle_mesh& mesh, const Sharp_edges& sharp) : m_mesh(mesh), m_sharp(sharp)
+  Sharp_curve_finder(const Triangle_mesh& mesh, const std::vector<std::uint32_t>& sharp_edges)
+    : m_mesh(mesh), m_edges(sharp_edges)
   {
-    for (std::uint32_t i : sharp.edges)
+    for (std::uint32_t i : sharp_edges)
       for (std::uint32_t v : {mesh.edges[i].source, mesh.edges[i].target})
         m_around[v].push_back(i);
     for (const Triangle_mesh::Edge& edge : mesh.edges)
@@ -54,7 +55,7 @@ public:
       const bool is_zigzag = edges.size() == 2 && turn(vertex.first, edges) > largest_turn;
       result.number_of_loose_ends += is_end || is_zigzag ? 1 : 0;
     }
-    for (std::uint32_t first : m_sharp.edges)
+    for (std::uint32_t first : m_edges)
       if (m_is_done.insert(first).second)
       {
         result.polylines.push_back(polyline_from(first));
@@ -115,14 +116,15 @@ private:
   }
 
   const Triangle_mesh& m_mesh;
-  const Sharp_edges& m_sharp;
+  const std::vector<std::uint32_t>& m_edges;
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> m_around; // edges at vertices
   std::unordered_set<std::uint32_t> m_is_on_boundary, m_is_done;
 };
 
-CGAL_WIREFRAME_EXTRACTION_INLINE Sharp_curves find_sharp_curves(const Triangle_mesh& mesh, const Sharp_edges& sharp)
+CGAL_WIREFRAME_EXTRACTION_INLINE Sharp_curves find_sharp_curves(const Triangle_mesh& mesh,
+                                                                const std::vector<std::uint32_t>& sharp_edges)
 {
-  return Sharp_curve_finder(mesh, sharp).find();
+  return Sharp_curve_finder(mesh, sharp_edges).find();
 }
 
 } // namespace internal

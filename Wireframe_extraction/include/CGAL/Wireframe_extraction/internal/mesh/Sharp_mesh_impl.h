@@ -53,8 +53,9 @@ inline bool is_scan(const Sharp_mesh& mesh)
   static constexpr double loose = 0.04; // loose ends per vertex of sharp edges, more in scans
   static constexpr double rough = 0.5;  // of the other edges that are folded, more in scans
   static constexpr double flat = 2.;    // degrees
-  const double edges = static_cast<double>(mesh.sharp.edges.size());
-  if (static_cast<double>(mesh.curves.lengths.size()) < broken * edges || mesh.sharp.edges.empty())
+  const double edges = static_cast<double>(mesh.sharp.clear_edges.size());
+  const Sharp_curves curves = find_sharp_curves(mesh.mesh, mesh.sharp.clear_edges);
+  if (static_cast<double>(curves.lengths.size()) < broken * edges || mesh.sharp.clear_edges.empty())
     return false;
   std::size_t number_of_rough = 0;
   for (std::size_t i = 0; i < mesh.mesh.edges.size(); ++i)
@@ -63,8 +64,7 @@ inline bool is_scan(const Sharp_mesh& mesh)
     number_of_rough += fold > flat && fold < mesh.sharp.minimum_fold ? 1 : 0;
   }
   const double others = static_cast<double>(mesh.mesh.edges.size()) - edges;
-  return static_cast<double>(mesh.curves.number_of_loose_ends)
-    > loose * static_cast<double>(mesh.curves.number_of_vertices)
+  return static_cast<double>(curves.number_of_loose_ends) > loose * static_cast<double>(curves.number_of_vertices)
     || static_cast<double>(number_of_rough) > rough * others;
 }
 
@@ -231,7 +231,7 @@ CGAL_WIREFRAME_EXTRACTION_INLINE std::string make_sharp_mesh(const Polygon_soup&
   sharp_options.resolution =
     resolved * (r > 0. ? r : sampling_distance_for(area, static_cast<double>(options.maximum_number_of_points)));
   result.sharp = find_sharp_edges(result.mesh, sharp_options);
-  result.curves = find_sharp_curves(result.mesh, result.sharp);
+  result.curves = find_sharp_curves(result.mesh, result.sharp.edges);
   result.kind = is_scan(result) ? Mesh_kind::SCAN : Mesh_kind::CAD;
   return std::string();
 }

@@ -34,7 +34,8 @@ struct Sharp_edge_options
 
 struct Sharp_edges
 {
-  std::vector<std::uint32_t> edges; // of the mesh, rising
+  std::vector<std::uint32_t> edges;       // of the mesh, rising
+  std::vector<std::uint32_t> clear_edges; // without those along which a curve fades
   std::vector<double> folds;       // of all edges of the mesh, degrees; positive on the side of the normals' tips; 0 of
                                    // edges that have not two faces
   std::vector<bool> is_facet_edge; // of all edges: folded as facets of a curved surface are

@@ -49,7 +49,11 @@ public:
     mark_facet_edges();
     m_is_sharp.resize(m_mesh.edges.size());
     for (std::size_t i = 0; i < m_mesh.edges.size(); ++i)
+    {
       m_is_sharp[i] = is_sharp(i);
+      if (m_is_sharp[i])
+        m_result.clear_edges.push_back(static_cast<std::uint32_t>(i));
+    }
     follow_fading_edges();
     for (std::size_t i = 0; i < m_mesh.edges.size(); ++i)
       if (m_is_sharp[i])
