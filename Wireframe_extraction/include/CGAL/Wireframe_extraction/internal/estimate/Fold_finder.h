@@ -15,6 +15,7 @@
 #include <CGAL/Wireframe_extraction/internal/base/Ball_search.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
+#include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
 #include <CGAL/Wireframe_extraction/internal/estimate/Fold_fit.h>
 #include <CGAL/Wireframe_extraction/internal/estimate/Fold_scales.h>
 #include <CGAL/Wireframe_extraction/internal/estimate/Fold_votes.h>
@@ -83,9 +84,8 @@ private:
         Fold_fit fit;
         Fold_ball ball;
         for (std::size_t i = begin; i < end; ++i)
-          for (int k : {1, 0})
-            if (!m_is_smooth[i])
-              vote_by_heights(i, k, fit, ball);
+          for (int k = m_scales.number_of_balls - 1; k >= 0 && !m_is_smooth[i]; --k)
+            vote_by_heights(i, k, fit, ball);
       },
       proceed);
   }
@@ -95,9 +95,9 @@ private:
     const double radius = m_scales.radii[scale], variance = m_scales.deviation * m_scales.deviation;
     ball.collect(m_points, m_search, m_points[i], radius);
     const Fold_fit_result result = fit.fit(ball.offsets, radius, variance, least_variance_ratio * variance);
-    if (scale == 1)
-      m_is_smooth[i] = result.is_smooth;
-    if (result.number_of_folds == 0 || !(result.folds[0].evidence > m_scales.least_evidence))
+    m_is_smooth[i] = result.is_smooth;
+    const double least_evidence = m_scales.least_evidence[scale];
+    if (result.number_of_folds == 0 || !(result.folds[0].evidence > least_evidence))
       return;
     const bool is_strong =
       result.folds[0].margin > m_scales.strong_margins[scale] && result.folds[0].evidence > m_scales.strong_evidence;
@@ -105,7 +105,7 @@ private:
     for (int k = 0; k < result.number_of_folds; ++k)
     {
       const Fold& fold = result.folds[k];
-      if (fold.evidence > m_scales.least_evidence && fold.angle > 0.75 * m_minimum_fold && fold.foot.norm() < farthest)
+      if (fold.evidence > least_evidence && fold.angle > 0.75 * m_minimum_fold && fold.foot.norm() < farthest)
         m_votes[i].push_back({m_points[i] + fold.foot, is_strong});
     }
   }
@@ -128,20 +128,53 @@ private:
 
   std::vector<Sheet> fit_sheets() const
   {
+    const std::vector<Plane_of_points> planes = fit_planes();
     std::vector<Sheet> sheets(m_points.size());
     for_each_piece(m_points.size(), [&](std::size_t begin, std::size_t end) {
       Sheet_fit fit(m_scales.deviation);
       std::vector<std::size_t> indices;
       std::vector<Vector> ball;
+      std::vector<Plane_of_points> near;
       for (std::size_t i = begin; i < end; ++i)
       {
         if (m_is_smooth[i])
           continue;
+        collect(m_points[i], m_scales.plane_reach, indices, ball);
+        near.clear();
+        for (std::size_t j : indices)
+          near.push_back(planes[j]);
         collect(m_points[i], m_scales.sheet_radius, indices, ball);
-        sheets[i] = fit.fit(m_points[i], ball);
+        sheets[i] = fit.fit(m_points[i], ball, near);
       }
     });
     return sheets;
+  }
+
+  std::vector<Plane_of_points> fit_planes() const
+  {
+    std::vector<Plane_of_points> planes(m_points.size());
+    for_each_piece(m_points.size(), [&](std::size_t begin, std::size_t end) {
+      std::vector<std::size_t> indices;
+      std::vector<Vector> ball;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        collect(m_points[i], m_scales.plane_radius, indices, ball);
+        planes[i] = plane_of(ball);
+      }
+    });
+    return planes;
+  }
+
+  static Plane_of_points plane_of(const std::vector<Vector>& ball)
+  {
+    Plane_of_points plane;
+    for (const Vector& p : ball)
+      plane.point += p / double(ball.size());
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (const Vector& p : ball)
+      covariance += (p - plane.point) * (p - plane.point).transpose();
+    plane.normal = principal_axes(covariance).axes[0];
+    return plane;
   }
 
   void collect(const Vector& center, double radius, std::vector<std::size_t>& indices, std::vector<Vector>& ball) const
@@ -166,7 +199,6 @@ private:
     static constexpr std::size_t most_votes = 2;        // of a point: the nearest ones
     static constexpr double least_angle = CGAL_PI / 6.; // what sheets of few points show by chance is less
     static constexpr double least_margin = 15., strong_margin = 30.;
-    static constexpr double radius_of_ends = 1.5, radius_of_margin = 3.;
     const double tolerance = Sheet_fit(m_scales.deviation).tolerance();
     std::vector<Meeting> meetings;
     std::vector<std::size_t> found;
@@ -185,10 +217,10 @@ private:
       if (std::any_of(meetings.begin(), meetings.end(),
                       [&](const Meeting& m) { return (m.foot - pair.foot()).norm() < same; }))
         continue;
-      collect(pair.foot(), radius_of_ends, found, around);
+      collect(pair.foot(), m_scales.radius_of_ends, found, around);
       if (!pair.both_end(around))
         continue;
-      collect(pair.foot(), radius_of_margin, found, around);
+      collect(pair.foot(), m_scales.radius_of_margin, found, around);
       const double margin = pair.margin(around, m_scales.deviation);
       if (margin > least_margin)
         meetings.push_back({pair.foot(), distance, margin});

@@ -27,14 +27,17 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// Finds the sheet on which the center of a ball lies, whatever else is in the ball: the plane through the center on which
-// most points lie, then the quadric through these. Lengths are in sampling distances.
+// The plane through the points of a small ball.
+struct Plane_of_points
+{
+  Vector point = Vector::Zero(), normal = Vector::Zero();
+};
+
+// Finds the sheet on which the center of a ball lies, whatever else is in the ball: of the planes of its neighbors, of which
+// some see nothing but the sheet, that on which most points lie, then the quadric through these. Lengths are in sampling
+// distances.
 class Sheet_fit
 {
-  // planes are laid through pairs of so many nearest neighbors
-  static constexpr std::size_t most_neighbors = 12;
-  // which span it: neither is the sine of the angle between them smaller, nor the area
-  static constexpr double least_sine = 0.3, least_area = 0.1;
   // Surfaces leave their tangent plane by that times the squared distance: their radii are 5 r at least, or their other
   // points do not count. Near points count more, those at 1.8 r half.
   static constexpr double bending = 0.1, fading = 0.3;
@@ -46,7 +49,7 @@ class Sheet_fit
   static constexpr double relative_ridge = 1e-9;
 
   double m_deviation;
-  std::vector<Vector> m_offsets; // of the points from the center, nearest first
+  std::vector<Vector> m_offsets; // of the points from the center
 
 public:
   // `deviation`: standard deviation of the points
@@ -55,23 +58,30 @@ public:
   // points farther from a sheet are not on it
   double tolerance() const { return exceeded_by_one_in_370 * m_deviation; }
 
-  // `ball` are the points around the center, and the center itself
-  Sheet fit(const Vector& center, const std::vector<Vector>& ball)
+  // `ball` are the points around the center, and the center itself; `planes` those that may be tangent planes there
+  Sheet fit(const Vector& center, const std::vector<Vector>& ball, const std::vector<Plane_of_points>& planes)
   {
     m_offsets.clear();
     for (const Vector& p : ball)
       m_offsets.push_back(p - center);
-    std::sort(m_offsets.begin(), m_offsets.end(), [](const Vector& a, const Vector& b) {
-      const double sa = a.squaredNorm(), sb = b.squaredNorm();
-      return sa != sb ? sa < sb : std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-    });
     Sheet sheet;
-    Vector normal = Vector::Zero();
-    if (!find_plane(normal))
+    double best = 0.;
+    for (const Plane_of_points& plane : planes)
+    {
+      const double height = plane.normal.dot(center - plane.point);
+      if (std::abs(height) > tolerance())
+        continue;
+      const double score = this->score(plane.normal, height);
+      if (score <= best)
+        continue;
+      best = score;
+      sheet.set_plane(center - height * plane.normal, plane.normal);
+    }
+    if (best <= 0.)
       return sheet;
-    sheet.set_plane(center, normal);
+    const Vector shift = center - sheet.origin;
     for (double reach : reaches)
-      if (!fit_quadric(reach * m_deviation, sheet))
+      if (!fit_quadric(reach * m_deviation, shift, sheet))
         return sheet;
     const auto lies_on_it = [&](const Vector& d) { return std::abs(sheet.offset(center + d)) < tolerance(); };
     sheet.is_known =
@@ -80,48 +90,27 @@ public:
   }
 
 private:
-  bool find_plane(Vector& normal) const
-  {
-    const std::size_t count = (std::min)(m_offsets.size(), most_neighbors + 1); // the first is the center
-    double best = -1.;
-    for (std::size_t i = 1; i < count; ++i)
-      for (std::size_t j = i + 1; j < count; ++j)
-      {
-        Vector n = cross_product(m_offsets[i], m_offsets[j]);
-        const double area = n.norm();
-        if (area < least_area || area < least_sine * m_offsets[i].norm() * m_offsets[j].norm())
-          continue;
-        n /= area;
-        const double score = this->score(n);
-        if (score > best)
-        {
-          best = score;
-          normal = n;
-        }
-      }
-    return best > 0.;
-  }
-
   // how many points lie on a plane through the center, more or less
-  double score(const Vector& normal) const
+  double score(const Vector& normal, double height) const
   {
     double sum = 0.;
     for (const Vector& d : m_offsets)
     {
       const double square = d.squaredNorm();
-      const double ratio = d.dot(normal) / (tolerance() + bending * square);
+      const double ratio = (d.dot(normal) + height) / (tolerance() + bending * square);
       if (ratio * ratio < 1.)
         sum += (1. - ratio * ratio) / (1. + fading * square);
     }
     return sum;
   }
 
-  bool fit_quadric(double reach, Sheet& sheet) const
+  bool fit_quadric(double reach, const Vector& shift, Sheet& sheet) const
   {
     static constexpr int size = Sheet::size;
     double matrix[size * size] = {}, column[size] = {}, total = 0.;
-    for (const Vector& d : m_offsets)
+    for (const Vector& from_center : m_offsets)
     {
+      const Vector d = from_center + shift;
       const double ratio = sheet.offset(sheet.origin + d) / reach;
       if (ratio * ratio >= 1.)
         continue;

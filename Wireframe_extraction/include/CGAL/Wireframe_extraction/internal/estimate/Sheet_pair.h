@@ -73,15 +73,17 @@ public:
   bool both_end(const std::vector<Vector>& around) const
   {
     static constexpr int least_points = 2;     // of each sheet
+    static constexpr double clear_share = 0.5; // of the tolerance
     static constexpr double most_beyond = 0.2; // the share of them
     int sides[2][2] = {};
     for (const Vector& p : around)
     {
       const double from_a = m_a.offset(p), from_b = m_b.offset(p);
-      const bool on_a = std::abs(from_a) < m_tolerance, on_b = std::abs(from_b) < m_tolerance;
-      if (on_a && !on_b)
+      const double to_a = std::abs(from_a), to_b = std::abs(from_b);
+      // what is near both tells nothing
+      if (to_a < m_tolerance && to_a < to_b && to_b > clear_share * m_tolerance)
         ++sides[0][from_b > 0.];
-      else if (on_b && !on_a)
+      else if (to_b < m_tolerance && to_b < to_a && to_a > clear_share * m_tolerance)
         ++sides[1][from_a > 0.];
     }
     return std::all_of(sides, sides + 2, [](const int(&side)[2]) {

@@ -51,13 +51,13 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool estimate_field(const std::vector<Vector>& 
                                                      const std::function<bool(double)>& proceed,
                                                      Field_estimate& estimate)
 {
-  // Standard deviations of distances where points do not err, and by how much more they err where those do: votes of
-  // neighbors rest on the same points.
-  static constexpr double least_noise_level = 0.3, noise_level_per_noise = 0.4;
+  // Votes of neighbors rest on the same points, so that their errors are not independent: the fields that follow from them
+  // err less, but the stages that follow do best if they take them for regressors'.
+  static constexpr double noise_level = 0.3;
   const Ball_search search(points);
   estimate.point_noise = point_noise(points, search);
   const Fold_scales scales(estimate.point_noise);
-  estimate.noise_level = (std::min)(1., least_noise_level + noise_level_per_noise * estimate.point_noise);
+  estimate.noise_level = noise_level;
   Fold_finder finder(points, search, scales, minimum_fold);
   if (!finder.run([&](double share) { return proceed(0.9 * share); }))
     return false;
