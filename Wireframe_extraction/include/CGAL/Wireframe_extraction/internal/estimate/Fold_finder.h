@@ -44,6 +44,7 @@ class Fold_finder
   const Fold_scales m_scales;
   const double m_minimum_fold; // in radians
 
+  const std::vector<std::size_t> m_order;      // neighbors follow one another
   std::vector<char> m_is_smooth;               // whether one sheet explains the ball around a point
   std::vector<std::vector<Fold_vote>> m_votes; // of each point
 
@@ -56,7 +57,7 @@ public:
   Fold_finder(const std::vector<Vector>& points, const Ball_search& search, const Fold_scales& scales,
               double minimum_fold)
     : m_points(points), m_search(search), m_scales(scales), m_minimum_fold(minimum_fold * CGAL_PI / 180.),
-      m_is_smooth(points.size()), m_votes(points.size())
+      m_order(search.spatial_order()), m_is_smooth(points.size()), m_votes(points.size())
   {}
 
   template <class Proceed>
@@ -83,9 +84,12 @@ private:
       [&](std::size_t begin, std::size_t end) {
         Fold_fit fit;
         Fold_ball ball;
-        for (std::size_t i = begin; i < end; ++i)
+        for (std::size_t n = begin; n < end; ++n)
+        {
+          const std::size_t i = m_order[n];
           for (int k = m_scales.number_of_balls - 1; k >= 0 && !m_is_smooth[i]; --k)
             vote_by_heights(i, k, fit, ball);
+        }
       },
       proceed);
   }
@@ -119,9 +123,12 @@ private:
       [&](std::size_t begin, std::size_t end) {
         std::vector<std::size_t> neighbors;
         std::vector<Vector> around;
-        for (std::size_t i = begin; i < end; ++i)
+        for (std::size_t n = begin; n < end; ++n)
+        {
+          const std::size_t i = m_order[n];
           if (!m_is_smooth[i] && sheets[i].is_known)
             vote_by_sheets(i, sheets, neighbors, around);
+        }
       },
       proceed);
   }
@@ -135,8 +142,9 @@ private:
       std::vector<std::size_t> indices;
       std::vector<Vector> ball;
       std::vector<Plane_of_points> near;
-      for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t n = begin; n < end; ++n)
       {
+        const std::size_t i = m_order[n];
         if (m_is_smooth[i])
           continue;
         collect(m_points[i], m_scales.plane_reach, indices, ball);
@@ -150,14 +158,27 @@ private:
     return sheets;
   }
 
+  // of the points that have one nearby which is not smooth: nobody asks for the others
   std::vector<Plane_of_points> fit_planes() const
   {
+    std::vector<char> is_wanted(m_points.size());
+    std::vector<std::size_t> found;
+    for (std::size_t i : m_order)
+      if (!m_is_smooth[i])
+      {
+        m_search.query(m_points[i], m_scales.plane_reach, found);
+        for (std::size_t j : found)
+          is_wanted[j] = true;
+      }
     std::vector<Plane_of_points> planes(m_points.size());
     for_each_piece(m_points.size(), [&](std::size_t begin, std::size_t end) {
       std::vector<std::size_t> indices;
       std::vector<Vector> ball;
-      for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t n = begin; n < end; ++n)
       {
+        const std::size_t i = m_order[n];
+        if (!is_wanted[i])
+          continue;
         collect(m_points[i], m_scales.plane_radius, indices, ball);
         planes[i] = plane_of(ball);
       }
