@@ -16,6 +16,7 @@
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
 #include <CGAL/Wireframe_extraction/internal/estimate/Fold.h>
+#include <CGAL/Wireframe_extraction/internal/estimate/Sheet.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -47,15 +48,19 @@ class Fold_fit
   static constexpr int least_points = 12, least_on_a_side = 4;
   static constexpr int quadric_size = 6, most_columns = 8;
   static constexpr int number_of_refinements = 5;
+  // the frame is turned so often, if it is farther from the middle of the fold than 15 degrees
+  static constexpr int most_frames = 2;
+  static constexpr double least_cosine = 0.966;
 
   std::vector<double> m_x, m_y, m_z, m_residuals, m_hinge;
   std::array<std::vector<double>, most_columns> m_basis;   // orthonormal columns
   std::array<std::vector<double>, most_columns> m_columns; // as they are
   int m_size = 0, m_number_of_columns = 0;
-  Vector m_a, m_b, m_normal; // the frame
+  Vector m_a, m_b, m_normal;  // the frame
+  Vector m_bisector, m_along; // of the first fold: between the normals of its sheets, and along it
 
 public:
-  // `ball` are the offsets of the points from the place `center` that is looked at.
+  // `ball` are the offsets of the points from the place that is looked at.
   // `threshold`: variances of residuals below it leave nothing to explain
   Fold_fit_result fit(const std::vector<Vector>& ball, double radius, double variance, double threshold)
   {
@@ -63,41 +68,25 @@ public:
     m_size = static_cast<int>(ball.size());
     if (m_size < least_points)
       return result;
-    set_frame(ball);
+    set_frame_by_main_axes(ball);
     fit_quadric();
-    double squares = sum_of_squares(m_residuals);
+    const double squares = sum_of_squares(m_residuals);
     result.residual = std::sqrt(squares / (m_size - quadric_size));
-    result.folded_residual = result.residual;
     result.is_smooth = squares / (m_size - quadric_size) < threshold;
     if (result.is_smooth)
       return result;
-    std::array<std::array<double, 2>, 2> places{}; // direction, offset
-    for (int n = 0; n < 2; ++n)
+    fit_folds(radius, variance, result);
+    // The main plane leans towards the larger sheet, so that the other one is steep. Between both, neither is.
+    for (int n = 0; n < most_frames && result.number_of_folds > 0 && m_normal.dot(m_bisector) < least_cosine; ++n)
     {
-      double angle = 0., offset = 0.;
-      const double gain = find_hinge(radius, angle, offset);
-      if (gain <= 0.)
+      Fold_fit_result other = result;
+      set_frame(ball, m_bisector, cross_product(m_along, m_bisector).normalized());
+      fit_quadric();
+      fit_folds(radius, variance, other);
+      if (!(other.number_of_folds > 0 && other.folded_residual < result.folded_residual))
         break;
-      const double scale = (std::max)(variance, (squares - gain) / (std::max)(3, m_size - m_number_of_columns - 3));
-      Fold& fold = result.folds[n];
-      fold.evidence = gain / scale - 3. * std::log(double(m_size));
-      places[n] = {angle, offset};
-      set_hinge(angle, offset);
-      m_columns[quadric_size + n] = m_hinge;
-      const std::vector<double> before = m_residuals;
-      add_column(m_hinge);
-      squares = sum_of_squares(m_residuals);
-      if (n == 0)
-        fold.margin = (squares_of_bent_sheet(before, angle, radius) - squares)
-          / (std::max)(variance, squares / (std::max)(3, m_size - 9));
-      else
-        fold.margin = result.folds[0].margin;
-      result.number_of_folds = n + 1;
-      if (fold.evidence <= 0.)
-        break;
+      result = other;
     }
-    result.folded_residual = std::sqrt(squares / (std::max)(1, m_size - quadric_size - 3 * result.number_of_folds));
-    measure(places, result);
     return result;
   }
 
@@ -107,13 +96,47 @@ public:
     m_size = static_cast<int>(ball.size());
     if (m_size < least_points)
       return (std::numeric_limits<double>::infinity)();
-    set_frame(ball);
+    set_frame_by_main_axes(ball);
     fit_quadric();
     return std::sqrt(sum_of_squares(m_residuals) / (m_size - quadric_size));
   }
 
 private:
-  void set_frame(const std::vector<Vector>& ball)
+  void fit_folds(double radius, double variance, Fold_fit_result& result)
+  {
+    result.number_of_folds = 0;
+    double squares = sum_of_squares(m_residuals);
+    std::array<std::array<double, 2>, 2> places{}; // direction, offset
+    for (int n = 0; n < 2; ++n)
+    {
+      double angle = 0., offset = 0.;
+      const double gain = find_hinge(radius, angle, offset);
+      if (gain <= 0.)
+        break;
+      const double scale = (std::max)(variance, (squares - gain) / (std::max)(3, m_size - m_number_of_columns - 3));
+      const double evidence = gain / scale - 3. * std::log(double(m_size));
+      if (n > 0 && evidence <= 0.)
+        break; // it would take from the first what is the first's
+      Fold& fold = result.folds[n];
+      fold.evidence = evidence;
+      places[n] = {angle, offset};
+      set_hinge(angle, offset);
+      m_columns[quadric_size + n] = m_hinge;
+      const std::vector<double> before = m_residuals;
+      add_column(m_hinge);
+      squares = sum_of_squares(m_residuals);
+      fold.margin = n > 0 ? result.folds[0].margin
+                          : (squares_of_bent_sheet(before, angle, radius) - squares)
+          / (std::max)(variance, squares / (std::max)(3, m_size - 9));
+      result.number_of_folds = n + 1;
+      if (evidence <= 0.)
+        break;
+    }
+    result.folded_residual = std::sqrt(squares / (std::max)(1, m_size - quadric_size - 3 * result.number_of_folds));
+    measure(places, result);
+  }
+
+  void set_frame_by_main_axes(const std::vector<Vector>& ball)
   {
     Vector mean = Vector::Zero();
     for (const Vector& p : ball)
@@ -126,9 +149,14 @@ private:
       covariance += d * d.transpose();
     }
     const Principal_axes axes = principal_axes(covariance);
-    m_normal = axes.axes[0];
-    m_a = axes.axes[2];
-    m_b = axes.axes[1];
+    set_frame(ball, axes.axes[0], axes.axes[2]);
+  }
+
+  void set_frame(const std::vector<Vector>& ball, const Vector& normal, const Vector& first)
+  {
+    m_normal = normal;
+    m_a = first;
+    m_b = cross_product(normal, first);
     for (std::vector<double>* v : {&m_x, &m_y, &m_z, &m_hinge, &m_residuals})
       v->resize(m_size);
     for (std::vector<double>& v : m_basis)
@@ -336,6 +364,12 @@ private:
       const Vector first(-gx, -gy, 1.), second(-gx - slope * cu, -gy - slope * su, 1.);
       fold.angle = std::acos((std::min)(1., first.dot(second) / (first.norm() * second.norm())));
       fold.foot = x * m_a + y * m_b + z * m_normal;
+      if (k > 0)
+        continue;
+      const Vector sum = first.normalized() + second.normalized();
+      m_bisector = (sum.x() * m_a + sum.y() * m_b + sum.z() * m_normal).normalized();
+      const Vector along = cross_product(first, second);
+      m_along = along.x() * m_a + along.y() * m_b + along.z() * m_normal;
     }
   }
 };

@@ -55,7 +55,7 @@ inline double point_noise(const std::vector<Vector>& points, const Ball_search& 
       if (std::isfinite(residual))
         residuals.push_back(residual);
     }
-    if (residuals.size() < (std::min)(least_balls, count))
+    if (residuals.empty() || residuals.size() < (std::min)(least_balls, count))
       continue;
     const auto place = residuals.begin() + std::ptrdiff_t(quantile * double(residuals.size()));
     std::nth_element(residuals.begin(), place, residuals.end());
