@@ -21,10 +21,11 @@ namespace CGAL {
 /*!
 \ingroup PkgWireframeExtractionFunctions
 
-extracts the parametric wireframe of a shape from a dense point cloud of its surface, in which every point carries an
-estimate of its distance to the nearest sharp feature curve.
+extracts the parametric wireframe of a shape from a dense point cloud of its surface. Every point may carry an estimate of
+its distance to the nearest sharp feature curve; where there are no distances, they are estimated from the points alone.
 
-The function chains `estimate_sampling_distance()`, `select_skeleton()`, `contract_skeleton()`, `refine_field()`,
+The function chains `estimate_sampling_distance()`, `estimate_distance_field()` if there are no distances,
+`select_skeleton()`, `contract_skeleton()`, `refine_field()`,
 `detect_corners()`, `segment_curves()`, `build_topological_graph()`, `fit_curves()` and `recognize_curve_types()`, which
 extend the method of \cgalCite{MAZB21}; every named parameter of these functions can be
 given. The result does not depend on the order of the points or the number of threads, and moves and scales with the
@@ -45,7 +46,20 @@ cloud, up to rounding. What visitor, callback and property maps throw is passed 
   \cgalParamNBegin{distance_map}
     \cgalParamDescription{a property map from the value type of `points` to the distance to the nearest sharp feature}
     \cgalParamType{a model of `ReadablePropertyMap`}
-    \cgalParamDefault{the second of a pair}
+    \cgalParamDefault{the second of a pair of a point and a number; otherwise, `estimate_distance_field()` makes the
+                      distances}
+  \cgalParamNEnd
+  \cgalParamNBegin{minimum_fold}
+    \cgalParamDescription{where the distances are estimated: the least angle, in degrees, by which the surface has to be
+                          folded at a sharp feature}
+    \cgalParamType{`double`}
+    \cgalParamDefault{20}
+  \cgalParamNEnd
+  \cgalParamNBegin{noise_level}
+    \cgalParamDescription{the noise level of the field, in multiples of r, at most 1}
+    \cgalParamType{`double`}
+    \cgalParamDefault{what `refine_field()` finds, or `Distance_field::noise_level` of an estimated field}
+    \cgalParamExtra{A negative value stands for the default.}
   \cgalParamNEnd
   \cgalParamNBegin{sampling_distance}
     \cgalParamDescription{the sampling distance r of the cloud, in its unit}
@@ -57,7 +71,7 @@ cloud, up to rounding. What visitor, callback and property maps throw is passed 
     \cgalParamDescription{up to how many points are copied; a larger cloud is gone over several times instead}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{1048576}
-    \cgalParamExtra{The result is the same, up to rounding.}
+    \cgalParamExtra{The result is the same, up to rounding. A cloud without distances is copied whatever its size.}
   \cgalParamNEnd
   \cgalParamNBegin{skip_invalid}
     \cgalParamDescription{whether points that are not finite or have a negative distance are left out; otherwise they
@@ -101,7 +115,7 @@ cloud, up to rounding. What visitor, callback and property maps throw is passed 
 says which.
 
 Complexity: O(n log n) for n points. Beyond the cloud itself, memory goes to at most `points_in_memory` points and to
-those around the features.
+those around the features; without distances, to all points.
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRange,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -114,8 +128,6 @@ extract_wireframe(const PointRange& points, const NamedParameters& np = CGAL::pa
 {
   namespace internal = Wireframe_extraction::internal;
   typedef internal::Cloud_access<PointRange, NamedParameters> Access;
-  static_assert(Access::has_distances,
-                "pass the distances of the points to features with the named parameter distance_map()");
   const Access access(np);
   internal::Range_source<PointRange, Access> source(points, access);
   internal::Extraction<typename Access::Geom_traits, NamedParameters> extraction(access.traits(), np);
@@ -134,7 +146,8 @@ features. The result is that of
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag` (the default)
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param source the cloud, for instance an `IO::Distance_cloud_file`. If it cannot be read, the report has the reason.
+\param source the cloud, for instance an `IO::Distance_cloud_file`. If it cannot be read, the report has the reason. If it
+has no distances, they are estimated, for which all of its points are in memory.
 \param np an optional sequence of named parameters: those of `extract_wireframe()`, except `point_map` and
 `distance_map`
 

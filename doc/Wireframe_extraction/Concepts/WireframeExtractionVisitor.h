@@ -35,6 +35,11 @@ public:
   void sampling_distance_estimated(double sampling_distance);
 
   /*!
+  is called when the distances are estimated. It is not called for a cloud that has distances.
+  */
+  void field_estimated(const CGAL::Wireframe_extraction::Distance_field& field);
+
+  /*!
   is called when the points near sharp features are selected.
   */
   void skeleton_selected(const CGAL::Wireframe_skeleton<Geom_traits>& skeleton);

@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_DEFAULT_VISITOR_H
 #define CGAL_WIREFRAME_EXTRACTION_DEFAULT_VISITOR_H
 
+#include <CGAL/Wireframe_extraction/Distance_field.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/Wireframe_corner.h>
 #include <CGAL/Wireframe_extraction/Wireframe_graph.h>
@@ -31,6 +32,9 @@ struct Default_visitor
 {
   /// is called with the sampling distance, in the cloud's unit.
   void sampling_distance_estimated(double) {}
+
+  /// is called with the field that was estimated, if the cloud has no distances.
+  void field_estimated(const Distance_field&) {}
 
   /// is called with the skeleton.
   template <class GeomTraits>

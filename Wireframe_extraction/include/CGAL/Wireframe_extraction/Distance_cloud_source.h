@@ -22,8 +22,8 @@ namespace Wireframe_extraction {
 /*!
 \ingroup PkgWireframeExtractionClasses
 
-The base of clouds that need not be in memory: they hand out their points chunk by chunk, as often as they are asked.
-`IO::Distance_cloud_file` is one; derive from this class what comes from elsewhere, for instance from a data base.
+The base of clouds that need not be in memory: they hand out their points chunk by chunk, as often as they are asked,
+with distances or without. `IO::Distance_cloud_file` is one; derive from this class what comes from elsewhere, for instance from a data base.
 
 \sa `extract_wireframe_from_source()`
 */
@@ -36,7 +36,7 @@ public:
     double x;        ///< coordinate
     double y;        ///< coordinate
     double z;        ///< coordinate
-    double distance; ///< distance to the nearest sharp feature
+    double distance; ///< distance to the nearest sharp feature; any number if it is unknown
   };
 
   /// what takes a chunk of samples, and returns whether it wants more
@@ -48,6 +48,11 @@ public:
   /// hands out all samples, in the same order each time, unless the sink wants no more. Returns whether that went well,
   /// also if the sink wanted no more; if not, `error_message()` says why.
   virtual bool read(const Sink& sink) = 0;
+
+  /// returns whether the distances of the samples are known. If not, they are not looked at, and
+  /// `extract_wireframe_from_source()` estimates them, for which all points have to be in memory. It is asked once the first
+  /// samples were handed out. The default is `true`.
+  virtual bool has_distances() const { return true; }
 
   /// returns the number of samples if it is known without reading them, else 0, as the default does. It serves to
   /// reserve memory.

@@ -47,11 +47,16 @@ struct Wireframe_extraction_report
   std::size_t number_of_curves = 0;         ///< curves of the wireframe
   std::vector<std::string> regularities;    ///< what `regularize` made equal, coaxial, parallel or orthogonal: a line
                                             ///< for each group, with indices of curves
-  double sampling_distance = 0.;            ///< in the cloud's unit
-  double noise = 0.;                        ///< noise level of the field, in the cloud's unit: what
-                                            ///< `Wireframe_skeleton::noise()` returns after the refinement
-  double rms = 0.;                          ///< of the residuals of all curves, in the cloud's unit
-  double max = 0.;                          ///< largest residual of a supporting point, in the cloud's unit
+  bool is_field_estimated = false;          ///< whether the distances come from the points alone, by
+                                            ///< `Wireframe_extraction::estimate_distance_field()`
+  std::size_t number_of_near_points = 0;    ///< of such a field: points that see a feature
+  double point_noise = 0.;       ///< of such a field: standard deviation of the points across the surface, in
+                                 ///< the cloud's unit
+  double sampling_distance = 0.; ///< in the cloud's unit
+  double noise = 0.;             ///< noise level of the field, in the cloud's unit: what
+                                 ///< `Wireframe_skeleton::noise()` returns after the refinement
+  double rms = 0.;               ///< of the residuals of all curves, in the cloud's unit
+  double max = 0.;               ///< largest residual of a supporting point, in the cloud's unit
   std::vector<std::pair<std::string, double>> seconds; ///< duration of the stages, in their order
 };
 

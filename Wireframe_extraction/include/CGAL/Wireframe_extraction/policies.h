@@ -56,6 +56,15 @@ enum class Mesh_kind
 };
 
 /// \ingroup PkgWireframeExtractionParameters
+/// Where the distances of a cloud in a file come from.
+enum class Field_origin
+{
+  GIVEN,     ///< the file has them; if it has none, that is an error
+  ESTIMATED, ///< they are estimated from the points; those in the file are not looked at
+  AUTOMATIC  ///< they are estimated if the file has none
+};
+
+/// \ingroup PkgWireframeExtractionParameters
 /// What one unit of the coordinates is, for formats that say so. Coordinates are never converted.
 enum class Length_unit
 {

@@ -107,8 +107,10 @@ template <class PointRange, class NamedParameters = CGAL::parameters::Default_na
 #endif
 select_skeleton(const PointRange& points, const NamedParameters& np = CGAL::parameters::default_values())
 {
-  static_assert(internal::Cloud_access<PointRange, NamedParameters>::has_distances,
-                "pass the distances of the points to features with the named parameter distance_map()");
+  static_assert(
+    internal::Cloud_access<PointRange, NamedParameters>::has_distances,
+    "pass the distances of the points to features with the named parameter distance_map(), for instance what "
+    "estimate_distance_field() makes of the points");
   const internal::Cloud_access<PointRange, NamedParameters> access(np);
   internal::Range_source<PointRange, internal::Cloud_access<PointRange, NamedParameters>> source(points, access);
   internal::Stage_call call(np);

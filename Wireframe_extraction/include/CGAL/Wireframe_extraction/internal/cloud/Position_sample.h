@@ -86,6 +86,13 @@ public:
       thin_out();
   }
 
+  // takes other distances, of which it has those of its indices
+  void set_distances(const std::vector<double>& distances)
+  {
+    for (std::size_t i = 0; i < m_values.size(); ++i)
+      m_values.distances[i] = distances[m_values.index(i)];
+  }
+
   // keeps no more than half of what there is room for
   void thin_out()
   {

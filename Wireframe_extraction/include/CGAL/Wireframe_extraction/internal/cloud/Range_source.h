@@ -24,7 +24,7 @@ namespace Wireframe_extraction {
 namespace internal {
 
 // A cloud that is a range in memory.
-template <class PointRange, class Access>
+template <class PointRange, class Access, bool has_known_distances = Access::has_distances>
 class Range_source : public Distance_cloud_source
 {
   static constexpr std::size_t samples_per_chunk = 4096;
@@ -40,6 +40,8 @@ public:
     return static_cast<std::size_t>(std::distance(m_points.begin(), m_points.end()));
   }
 
+  bool has_distances() const override { return has_known_distances; }
+
   bool read(const Sink& sink) override
   {
     std::vector<Sample> chunk;
@@ -51,7 +53,10 @@ public:
     for (const auto& value : m_points)
     {
       const Vector p = m_access.position(value);
-      chunk.push_back(Sample{p.x(), p.y(), p.z(), m_access.distance(value)});
+      double distance = 0.;
+      if constexpr (has_known_distances)
+        distance = m_access.distance(value);
+      chunk.push_back(Sample{p.x(), p.y(), p.z(), distance});
       if (chunk.size() == samples_per_chunk && !hand_out())
         return true;
     }

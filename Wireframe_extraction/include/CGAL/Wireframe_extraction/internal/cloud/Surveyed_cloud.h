@@ -55,6 +55,7 @@ class Surveyed_cloud
   std::size_t m_number_of_points = 0, m_not_finite = 0, m_negative = 0, m_first_invalid = 0;
   double m_smallest = (std::numeric_limits<double>::infinity)(), m_largest = 0.;
   std::size_t m_number_of_largest = 0;
+  bool m_has_own_distances = false;
   mutable std::string m_error;
 
 public:
@@ -74,6 +75,9 @@ public:
   // why it could not be read; empty if it could
   const std::string& error() const { return m_error; }
 
+  // whether the distances are known, which is known once it was read
+  bool has_distances() const { return m_has_own_distances || m_source.has_distances(); }
+
   bool is_in_memory() const { return m_sample.is_complete(); }
 
   // all points, or a sample of them
@@ -81,6 +85,9 @@ public:
 
   // reads it for the first time
   bool survey();
+
+  // takes distances that its source has not; it has to be in memory
+  void set_distances(const std::vector<double>& distances);
 
   // calls `use(position, distance, index)` for every valid point
   template <class Use>
@@ -95,9 +102,13 @@ public:
       return;
     std::size_t index = 0;
     const bool is_read = m_source.read([&](const Sample* first, const Sample* beyond) {
+      const bool has_distances = m_source.has_distances();
       for (; first != beyond; ++first, ++index)
-        if (is_finite(*first) && first->distance >= 0.)
-          use(Vector(first->x, first->y, first->z), first->distance, index);
+      {
+        const double distance = has_distances ? first->distance : 0.;
+        if (is_finite({first->x, first->y, first->z, distance}) && distance >= 0.)
+          use(Vector(first->x, first->y, first->z), distance, index);
+      }
       return true;
     });
     if (!is_read)
@@ -126,6 +137,8 @@ private:
   std::string reason() const;
 
   void survey(const Sample& s);
+
+  void survey_distance(double distance);
 
   // from now on the points are too many to be in memory
   void start_histogram();

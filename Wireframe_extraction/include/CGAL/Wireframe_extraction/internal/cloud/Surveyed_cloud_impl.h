@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,8 +36,9 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool Surveyed_cloud::survey()
 {
   m_sample.reserve(m_source.size_hint());
   const bool is_read = m_source.read([&](const Sample* first, const Sample* beyond) {
+    const bool has_distances = m_source.has_distances();
     for (; first != beyond; ++first)
-      survey(*first);
+      survey(has_distances ? *first : Sample{first->x, first->y, first->z, 0.});
     return true;
   });
   m_sample.thin_out();
@@ -96,13 +98,29 @@ CGAL_WIREFRAME_EXTRACTION_INLINE void Surveyed_cloud::survey(const Sample& s)
   m_sample.add(Vector(s.x, s.y, s.z), s.distance, index);
   if (m_histogram)
     m_histogram->add(s.distance);
-  m_smallest = (std::min)(m_smallest, s.distance);
-  if (s.distance > m_largest)
+  survey_distance(s.distance);
+}
+
+CGAL_WIREFRAME_EXTRACTION_INLINE void Surveyed_cloud::survey_distance(double distance)
+{
+  m_smallest = (std::min)(m_smallest, distance);
+  if (distance > m_largest)
   {
-    m_largest = s.distance;
+    m_largest = distance;
     m_number_of_largest = 0;
   }
-  m_number_of_largest += s.distance == m_largest;
+  m_number_of_largest += distance == m_largest;
+}
+
+CGAL_WIREFRAME_EXTRACTION_INLINE void Surveyed_cloud::set_distances(const std::vector<double>& distances)
+{
+  m_sample.set_distances(distances);
+  m_has_own_distances = true;
+  m_smallest = (std::numeric_limits<double>::infinity)();
+  m_largest = 0.;
+  m_number_of_largest = 0;
+  for (double distance : m_sample.values().distances)
+    survey_distance(distance);
 }
 
 CGAL_WIREFRAME_EXTRACTION_INLINE void Surveyed_cloud::start_histogram()

@@ -16,11 +16,13 @@
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/Real_embeddable_traits.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
 #include <iterator>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Wireframe_extraction {
@@ -32,15 +34,27 @@ class Cloud_access
 {
   typedef typename std::iterator_traits<typename PointRange::const_iterator>::value_type Value;
 
-  // the defaults fit pairs of a point and a distance, and bare points
-  template <class V>
+  // what a cloud without distances has as map
+  struct No_distances
+  {};
+
+  // The defaults fit bare points, pairs of a point and a distance, and pairs of a point and anything else, such as a normal.
+  template <class V, class = void>
   struct Defaults
   {
     typedef CGAL::Identity_property_map<V> Point_map;
-    typedef CGAL::Constant_property_map<V, double> Distance_map;
+    typedef No_distances Distance_map;
   };
   template <class P, class F>
-  struct Defaults<std::pair<P, F>>
+  struct Defaults<std::pair<P, F>,
+                  typename std::enable_if<!CGAL::Real_embeddable_traits<F>::Is_real_embeddable::value>::type>
+  {
+    typedef CGAL::First_of_pair_property_map<std::pair<P, F>> Point_map;
+    typedef No_distances Distance_map;
+  };
+  template <class P, class F>
+  struct Defaults<std::pair<P, F>,
+                  typename std::enable_if<CGAL::Real_embeddable_traits<F>::Is_real_embeddable::value>::type>
   {
     typedef CGAL::First_of_pair_property_map<std::pair<P, F>> Point_map;
     typedef CGAL::Second_of_pair_property_map<std::pair<P, F>> Distance_map;
@@ -51,9 +65,8 @@ public:
                                                              typename Defaults<Value>::Point_map>::type Point_map;
   typedef typename CGAL::internal_np::Lookup_named_param_def<internal_np::distance_map_t, NamedParameters,
                                                              typename Defaults<Value>::Distance_map>::type Distance_map;
-  // bare points have none
-  static constexpr bool has_distances =
-    !std::is_same<typename std::decay<Distance_map>::type, CGAL::Constant_property_map<Value, double>>::value;
+  // bare points, and those with normals, have none
+  static constexpr bool has_distances = !std::is_same<typename std::decay<Distance_map>::type, No_distances>::value;
   typedef typename boost::property_traits<typename std::decay<Point_map>::type>::value_type Point;
   typedef typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::geom_traits_t, NamedParameters,
                                                              typename CGAL::Kernel_traits<Point>::Kernel>::type Traits_;
@@ -75,6 +88,7 @@ public:
   {}
 
   const Geom_traits& traits() const { return m_traits; }
+  const typename std::decay<Distance_map>::type& distance_map() const { return m_distance_map; }
 
   Vector position(const Value& v) const
   {

@@ -37,7 +37,11 @@ int dimension(const std::vector<Vector>& positions, const std::vector<std::size_
 
 int dimension(const std::vector<Vector>& positions);
 
-// whether points, distances and a sampling distance given by the caller (or 0) have the same unit
+// whether the points are more than those of a line; those of a plane are odd
+bool check_dimension(const Surveyed_cloud& cloud, Wireframe_extraction_report& report);
+
+// whether points, distances if they are known, and a sampling distance given by the caller (or 0) have the same unit
+
 bool check_scale(const Surveyed_cloud& cloud, const Cloud_scale& scale, double given,
                  Wireframe_extraction_report& report);
 

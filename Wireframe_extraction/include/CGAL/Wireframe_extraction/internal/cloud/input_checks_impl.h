@@ -58,12 +58,16 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool survey(Surveyed_cloud& cloud, bool skip_in
     message << cloud.error();
   else if (cloud.number_of_points() == 0)
     message << "the cloud has no points; a wireframe needs points of a surface";
+  else if (invalid > 0 && !skip_invalid && !cloud.has_distances())
+    message << invalid << " points have coordinates that are not finite; the first is the point with index "
+            << cloud.first_invalid() << " (counted from 0); remove them, or leave them out by skip_invalid(true)";
   else if (invalid > 0 && !skip_invalid)
     message << cloud.number_of_not_finite() << " points have coordinates or distances that are not finite and "
             << cloud.number_of_negative() << " have negative distances; the first is the point with index "
             << cloud.first_invalid() << " (counted from 0); remove them, or leave them out by skip_invalid(true)";
   else if (cloud.number_of_valid() == 0)
-    message << "none of the " << cloud.number_of_points() << " points is valid; repair coordinates and distances";
+    message << "none of the " << cloud.number_of_points() << " points is valid; repair coordinates"
+            << (cloud.has_distances() ? " and distances" : "");
   report.message = message.str();
   return report.message.empty();
 }
@@ -110,17 +114,29 @@ CGAL_WIREFRAME_EXTRACTION_INLINE int dimension(const std::vector<Vector>& positi
   return dimension(positions, sample);
 }
 
+CGAL_WIREFRAME_EXTRACTION_INLINE bool check_dimension(const Surveyed_cloud& cloud, Wireframe_extraction_report& report)
+{
+  const int dimension = internal::dimension(cloud.sample().positions);
+  if (dimension < 2)
+    report.message = std::string(dimension == 0 ? "all points coincide" : "all points lie on one line")
+      + "; a wireframe needs points of a surface, so check what holds x, y and z";
+  if (dimension == 2)
+    report.warnings.push_back("all points lie in one plane");
+  return dimension >= 2;
+}
+
 CGAL_WIREFRAME_EXTRACTION_INLINE bool check_scale(const Surveyed_cloud& cloud, const Cloud_scale& scale, double given,
                                                   Wireframe_extraction_report& report)
 {
   std::ostringstream message;
-  if (cloud.smallest_distance() == cloud.largest_distance())
+  const bool has_distances = cloud.has_distances();
+  if (has_distances && cloud.smallest_distance() == cloud.largest_distance())
     message << "all distances are " << cloud.smallest_distance() << ": this is no distance field; "
             << "give each point its own distance to the nearest sharp curve";
-  else if (scale.slope > Input_limits::most_slope)
+  else if (has_distances && scale.slope > Input_limits::most_slope)
     message << "the distances do not fit the points: from point to point they change " << scale.slope
             << " times as much as the points are apart; are they in another unit?";
-  else if (scale.slope < Input_limits::least_slope)
+  else if (has_distances && scale.slope < Input_limits::least_slope)
     message << "the distances do not fit the points: from point to point they change only " << scale.slope
             << " times as much as the points are apart; are they in another unit?";
   else if (!(given >= 0.) || !std::isfinite(given))
@@ -130,7 +146,7 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool check_scale(const Surveyed_cloud& cloud, c
     message << "a sampling distance of " << given << " does not fit the points: their density says "
             << scale.sampling_distance << "; is it in another unit?";
   report.message = message.str();
-  if (report.message.empty()
+  if (report.message.empty() && has_distances
       && (scale.slope > Input_limits::most_usual_slope || scale.slope < Input_limits::least_usual_slope))
   {
     message << "from point to point the distances change " << scale.slope

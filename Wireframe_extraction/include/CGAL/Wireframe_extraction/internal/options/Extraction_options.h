@@ -32,6 +32,7 @@ namespace internal {
 // the sampling distance, angles in degrees; a negative value stands for "follows from the cloud".
 struct Extraction_options
 {
+  double minimum_fold = 20.;
   double noise_level = -1.;
   double skeleton_distance = 1.5;
   double support_distance = 3.;
@@ -74,7 +75,8 @@ inline std::string out_of_range(const Extraction_options& options)
     double value, least, most;
     bool is_least_allowed;
   };
-  const Range ranges[] = {{"noise_level", options.noise_level, -infinity, 1., false},
+  const Range ranges[] = {{"minimum_fold", options.minimum_fold, 0., 180., false},
+                          {"noise_level", options.noise_level, -infinity, 1., false},
                           {"skeleton_distance", options.skeleton_distance, 0., infinity, false},
                           {"support_distance", options.support_distance, 0., infinity, false},
                           {"fitting_radius", options.fitting_radius, 0., infinity, false},
@@ -117,6 +119,7 @@ Extraction_options given_options(const NamedParameters& np)
 #define CGAL_WIREFRAME_READ_LENGTH(name) \
   options.name = CGAL::to_double(choose_parameter(get_parameter(np, internal_np::name), options.name))
 #define CGAL_WIREFRAME_READ(name) options.name = choose_parameter(get_parameter(np, internal_np::name), options.name)
+  CGAL_WIREFRAME_READ_LENGTH(minimum_fold);
   CGAL_WIREFRAME_READ_LENGTH(noise_level);
   CGAL_WIREFRAME_READ_LENGTH(skeleton_distance);
   CGAL_WIREFRAME_READ_LENGTH(support_distance);

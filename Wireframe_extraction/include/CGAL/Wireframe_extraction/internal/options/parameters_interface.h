@@ -12,9 +12,11 @@
 // Included several times on purpose: no include guard. One line per named parameter, in CGAL's own format.
 
 CGAL_add_named_parameter(distance_map_t, distance_map, distance_map)
+CGAL_add_named_parameter(deviation_map_t, deviation_map, deviation_map)
 CGAL_add_named_parameter(sampling_distance_t, sampling_distance, sampling_distance)
 CGAL_add_named_parameter(points_in_memory_t, points_in_memory, points_in_memory)
 CGAL_add_named_parameter(error_message_t, error_message, error_message)
+CGAL_add_named_parameter(field_origin_t, field_origin, field_origin)
 CGAL_add_named_parameter(distance_property_t, distance_property, distance_property)
 CGAL_add_named_parameter(points_dataset_t, points_dataset, points_dataset)
 CGAL_add_named_parameter(distances_dataset_t, distances_dataset, distances_dataset)

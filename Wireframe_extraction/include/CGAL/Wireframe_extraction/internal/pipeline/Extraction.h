@@ -14,6 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/Default_visitor.h>
 #include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
+#include <CGAL/Wireframe_extraction/Distance_field.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/Wireframe_corner.h>
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
@@ -30,6 +31,7 @@
 #include <CGAL/Wireframe_extraction/internal/network/segment_curves.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/Stage_runner.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/estimate_distances.h>
 #include <CGAL/Wireframe_extraction/internal/types/recognize.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
@@ -40,6 +42,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -69,12 +72,14 @@ class Extraction
 
   const GeomTraits& m_traits;
   const NamedParameters& m_np;
-  const Extraction_options m_options;
+  Extraction_options m_options;
   Report m_own_report;
   Report& m_report;
   Stage_runner m_runner;
   const std::function<bool(double)> m_progress;
+  double m_share_before = 0.;              // of the work that was done for the field
   std::unique_ptr<Surveyed_cloud> m_cloud; // as long as it is needed
+  Distance_field m_field;                  // if it had to be estimated
   Skeleton m_skeleton;
   std::vector<Wireframe_corner<GeomTraits>> m_corners;
   std::vector<std::vector<std::size_t>> m_clusters;
@@ -101,8 +106,8 @@ public:
     auto given_visitor = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(m_np, CGAL::internal_np::visitor), std::ref(no_visitor));
     auto& visitor = referred(given_visitor);
-    if (!read(source, is_reading_timed) || !find_scale(visitor) || !find_skeleton(visitor) || !find_curves(visitor)
-        || !fit_all(visitor))
+    if (!read(source, is_reading_timed) || !find_scale(visitor) || !find_field(visitor) || !find_skeleton(visitor)
+        || !find_curves(visitor) || !fit_all(visitor))
       return Wireframe<GeomTraits>();
     summarize();
     return m_wireframe;
@@ -119,7 +124,8 @@ private:
   template <class Stage>
   bool stage(const char* name, double share_when_done, const Stage& work)
   {
-    return m_runner.run(name, share_when_done, work) || fail(Report::Status::CANCELLED, "cancelled");
+    return m_runner.run(name, m_share_before + (1. - m_share_before) * share_when_done, work)
+      || fail(Report::Status::CANCELLED, "cancelled");
   }
 
   bool is_readable() { return m_cloud->error().empty() || fail(Report::Status::INVALID_INPUT, m_cloud->error()); }
@@ -136,6 +142,13 @@ private:
     timer.start();
     if (!survey(*m_cloud, skip_invalid, m_report))
       return fail(Report::Status::INVALID_INPUT, m_report.message);
+    // the estimate of a field looks at all points
+    if (!source.has_distances() && !m_cloud->is_in_memory())
+    {
+      m_cloud = std::make_unique<Surveyed_cloud>(source, (std::numeric_limits<std::size_t>::max)());
+      if (!survey(*m_cloud, skip_invalid, m_report))
+        return fail(Report::Status::INVALID_INPUT, m_report.message);
+    }
     if (is_timed)
       m_report.seconds.emplace_back("reading", timer.time());
     return m_runner.reach(0.02) || fail(Report::Status::CANCELLED, "cancelled");
@@ -144,24 +157,42 @@ private:
   template <class Visitor>
   bool find_scale(Visitor& visitor)
   {
-    const int dimension = internal::dimension(m_cloud->sample().positions);
-    if (dimension < 2)
-      return fail(Report::Status::INVALID_INPUT,
-                  std::string(dimension == 0 ? "all points coincide" : "all points lie on one line")
-                    + "; a wireframe needs points of a surface, so check what holds x, y and z");
-    if (dimension == 2)
-      m_report.warnings.push_back("all points lie in one plane");
+    if (!check_dimension(*m_cloud, m_report))
+      return fail(Report::Status::INVALID_INPUT, m_report.message);
     const double given = CGAL::to_double(
       CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(m_np, internal_np::sampling_distance), 0.));
     Cloud_scale scale;
     if (!stage("sampling distance", 0.06, [&] { scale = m_cloud->scale(); }) || !is_readable())
       return false;
     const double unit = given > 0. ? given : scale.sampling_distance;
-    if (!check_scale(*m_cloud, scale, given, m_report) || !check_truncation(*m_cloud, unit, m_options, m_report))
+    if (!check_scale(*m_cloud, scale, given, m_report)
+        || (m_cloud->has_distances() && !check_truncation(*m_cloud, unit, m_options, m_report)))
       return fail(Report::Status::INVALID_INPUT, m_report.message);
     m_report.sampling_distance = unit;
     visitor.sampling_distance_estimated(unit);
     return true;
+  }
+
+  // Where the cloud has no distances, the points tell them, and how much they err.
+  template <class Visitor>
+  bool find_field(Visitor& visitor)
+  {
+    static constexpr double share_when_done = 0.5;
+    if (m_cloud->has_distances())
+      return true;
+    const double unit = m_report.sampling_distance;
+    if (!stage("field", share_when_done,
+               [&] { estimate_distances(*m_cloud, unit, m_options.minimum_fold, m_progress, m_field); }))
+      return false;
+    m_share_before = share_when_done;
+    report_field(m_field, m_report);
+    visitor.field_estimated(m_field);
+    if (m_field.number_of_near_points == 0)
+      return fail(Report::Status::NO_FEATURE, no_fold_message(m_options.minimum_fold));
+    m_cloud->set_distances(m_field.distances);
+    m_options.noise_level = m_options.noise_or(m_field.noise_level);
+    return check_truncation(*m_cloud, unit, m_options, m_report)
+      || fail(Report::Status::INVALID_INPUT, m_report.message);
   }
 
   template <class Visitor>

@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_ESTIMATED_FIELD_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_ESTIMATED_FIELD_H
+
+#include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
+#include <CGAL/Wireframe_extraction/Distance_field.h>
+#include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Cloud_scale.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/input_checks.h>
+#include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/estimate_distances.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/survey_for_stage.h>
+#include <CGAL/Wireframe_extraction/parameters.h>
+
+#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+namespace internal {
+
+// The field of a cloud, for the stage that is called alone; empty if the report has something to say, unless that is that
+// no feature was found.
+template <class NamedParameters>
+Distance_field estimated_field(Distance_cloud_source& source, Stage_call& call, const NamedParameters& np)
+{
+  typedef Wireframe_extraction_report::Status Status;
+  Distance_field field;
+  Surveyed_cloud cloud(source, (std::numeric_limits<std::size_t>::max)());
+  if (!survey_for_stage(cloud, call, np))
+    return field;
+  const double given = CGAL::to_double(
+    CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::sampling_distance), 0.));
+  if (!check_dimension(cloud, call.report()))
+  {
+    call.fail(Status::INVALID_INPUT, call.report().message);
+    return field;
+  }
+  const Cloud_scale scale = cloud.scale();
+  if (!check_scale(cloud, scale, given, call.report()))
+  {
+    call.fail(Status::INVALID_INPUT, call.report().message);
+    return field;
+  }
+  const double unit = given > 0. ? given : scale.sampling_distance;
+  call.report().sampling_distance = unit;
+  if (!estimate_distances(cloud, unit, call.options().minimum_fold, call.progress(), field))
+    return Distance_field();
+  report_field(field, call.report());
+  if (field.number_of_near_points == 0)
+    call.fail(Status::NO_FEATURE, no_fold_message(call.options().minimum_fold));
+  return field;
+}
+
+// puts a value to each element of a range
+template <class Range, class Map>
+void put_values(Range& range, const Map& map, const std::vector<double>& values)
+{
+  typedef typename boost::property_traits<Map>::value_type Value;
+  std::size_t i = 0;
+  for (auto&& element : range)
+    put(map, element, Value(values[i++]));
+}
+
+} // namespace internal
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_ESTIMATED_FIELD_H
