@@ -30,7 +30,7 @@ namespace IO {
 /*!
 \ingroup PkgWireframeExtractionIO
 
-A point cloud with a distance per point that stays in its file, for clouds that are larger than the memory. The
+A point cloud, with a distance per point or without, that stays in its file, for clouds that are larger than the memory. The
 formats, and what makes a file wrong, are those of `read_distance_cloud()`.
 
 Files in the formats PLY, text, PCD, OFF and HDF5 are read chunk by chunk. Arrays of `.npy` and `.npz` files, and
@@ -48,6 +48,14 @@ public:
   /// \param np an optional sequence of named parameters among the ones listed below
   ///
   /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{field_origin}
+  ///     \cgalParamDescription{where the distances come from. Unless it is `GIVEN`, the file need not have any, and
+  ///                           `has_distances()` tells whether they are known.}
+  ///     \cgalParamType{`Wireframe_extraction::Field_origin`}
+  ///     \cgalParamDefault{`Wireframe_extraction::Field_origin::GIVEN`}
+  ///     \cgalParamExtra{Of text without names, three columns have no distances, six neither if the last three look like a
+  ///                     normal or a colour.}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{distance_property}
   ///     \cgalParamDescription{the name of the property or column that holds the distances}
   ///     \cgalParamType{`std::string`}
@@ -75,7 +83,11 @@ public:
   explicit Distance_cloud_file(const std::string& filename,
                                const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
     : m_filename(filename), m_options(internal::get_cloud_reader_options<double>(np))
-  {}
+  {
+    m_options.field_origin = CGAL::parameters::choose_parameter(
+      CGAL::parameters::get_parameter(np, Wireframe_extraction::internal_np::field_origin),
+      Wireframe_extraction::Field_origin::GIVEN);
+  }
 
   /// takes the points from one file and the distances from another. The constructor reads nothing, and so cannot fail.
   ///
@@ -121,6 +133,13 @@ public:
   /// returns what is wrong with the file, where, and what helps; empty if nothing is.
   std::string error_message() const override { return m_error; }
 
+  /// returns whether the distances are known; before the file was read, whether they have to be.
+  bool has_distances() const override { return m_has_distances; }
+
+  /// returns what was assumed about the columns of the file where it does not say it; empty if nothing was, and before it was
+  /// read.
+  const std::string& assumption() const { return m_assumption; }
+
   /// returns how many points were left out when the file was read last, since they are invalid.
   std::size_t number_of_skipped() const { return m_number_of_skipped; }
 
@@ -130,7 +149,15 @@ private:
   class Chunk_sink : public internal::Sample_sink
   {
   public:
-    explicit Chunk_sink(const Sink& sink) : m_sink(sink) {}
+    Chunk_sink(const Sink& sink, bool& has_distances, std::string& assumption)
+      : m_sink(sink), m_has_distances(has_distances), m_assumption(assumption)
+    {}
+
+    void describe(bool has_distances, const std::string& assumption) override
+    {
+      m_has_distances = has_distances;
+      m_assumption = assumption;
+    }
 
     bool operator()(const internal::Distance_sample* first, const internal::Distance_sample* last) override
     {
@@ -145,6 +172,8 @@ private:
 
   private:
     const Sink& m_sink;
+    bool& m_has_distances;
+    std::string& m_assumption;
     std::vector<Sample> m_chunk;
     bool m_is_stopped = false;
   };
@@ -163,13 +192,13 @@ private:
         return error;
       options.distances = &distances;
     }
-    Chunk_sink chunks(sink);
+    Chunk_sink chunks(sink, m_has_distances, m_assumption);
     const std::string error = internal::read_cloud(m_filename, options, libraries, chunks, m_number_of_skipped);
     return chunks.is_stopped() ? std::string() : error;
   }
 
-  std::string m_filename, m_distances_filename;
-  bool m_has_distances_file = false;
+  std::string m_filename, m_distances_filename, m_assumption;
+  bool m_has_distances_file = false, m_has_distances = true;
   internal::Cloud_reader_options m_options;
   std::string m_error;
   std::size_t m_number_of_skipped = 0;

@@ -107,16 +107,23 @@ public:
       return fail(file.filename() + ": has no " + word + " " + quote(points_name) + "; it has: " + file.contents_text()
                   + ". Name the one that holds the points (points_dataset)");
     Rows rows;
+    std::size_t distances_index;
+    m_has_distances = m_options.looks_for_distances()
+      && (m_options.needs_distances() || find_distances(file, m_options, distances_index));
     if (find_rows(file, file.names()[points_index], rows))
+    {
+      sink.describe(m_options.distances != nullptr || m_has_distances, std::string());
       return read_by_rows(file, rows, sink);
+    }
     Number_array points, distances, indices;
     if (!file.read(file.names()[points_index], points, m_error))
       return false;
     const std::string points_word = word + " " + quote(file.names()[points_index]);
     if (!set_points(file.filename(), points_word, points, 3))
       return false;
-    if (m_options.distances == nullptr && !read_distances(file, points, points_word, distances))
+    if (m_has_distances && !read_distances(file, points, points_word, distances))
       return false;
+    sink.describe(m_options.distances != nullptr || m_has_distances, std::string());
     return read_indices(file, points, points_word, indices)
       && hand_out(file.filename(), points, distances, indices, sink);
   }
@@ -124,13 +131,18 @@ public:
   // the same for a single array, whose fourth column holds the distances
   bool read(const std::string& filename, const Number_array& points, Sample_sink& sink)
   {
-    const bool has_distances = !points.shape.empty() && points.shape.back() == 4;
-    if (!set_points(filename, "array", points, has_distances ? 4 : 3))
+    const std::uint64_t columns = points.shape.empty() ? 0 : points.shape.back();
+    const bool has_normals = columns == 6 && !m_options.needs_distances();
+    if (!set_points(filename, "array", points, columns == 4 ? 4 : has_normals ? 6 : 3))
       return false;
-    if (!has_distances && m_options.distances == nullptr)
+    m_has_distances = columns == 4 && m_options.looks_for_distances();
+    if (!m_has_distances && m_options.needs_distances())
       return fail(filename + ": its array has the shape " + shape_text(points)
                   + ", so it has points but no distances; give the distances as a separate file, or as a fourth "
-                    "column, or both arrays in one .npz file");
+                    "column, or both arrays in one .npz file"
+                  + estimate_text());
+    sink.describe(m_options.distances != nullptr || m_has_distances,
+                  has_normals ? "the last three of its six columns are not looked at" : "");
     return hand_out(filename, points, Number_array(), Number_array(), sink);
   }
 
@@ -153,7 +165,8 @@ public:
     return file.filename() + ": has no " + file.word_for_array() + " "
       + (wanted.empty() ? "for the distances (looked for: " + join(known_distance_names()) + ")" : quote(wanted))
       + "; it has: " + file.contents_text()
-      + ". Name the one that holds the distances (distances_dataset), or give the distances as a separate file";
+      + ". Name the one that holds the distances (distances_dataset), or give the distances as a separate file"
+      + estimate_text();
   }
 
 private:
@@ -202,7 +215,7 @@ private:
     rows.count = shape.front();
     shape.pop_back();
     rows.points_per_row = shape.size() == 2 ? shape.back() : 1;
-    if (m_options.distances != nullptr)
+    if (!m_has_distances)
       return true;
     std::size_t index;
     if (!find_distances(file, m_options, index) || !file.find_rows(file.names()[index], distances_shape))
@@ -313,7 +326,7 @@ private:
     for (std::size_t i = 0; i < m_number_of_points; ++i)
     {
       const double* const p = points.values.data() + i * m_number_of_columns;
-      Distance_sample sample = {p[0], p[1], p[2], m_number_of_columns == 4 ? p[3] : 0.};
+      Distance_sample sample = {p[0], p[1], p[2], m_number_of_columns == 4 && m_has_distances ? p[3] : 0.};
       if (!distances.values.empty())
         sample.distance = distances.values[i];
       if (!indices.values.empty())
@@ -327,6 +340,7 @@ private:
   const Cloud_reader_options& m_options;
   Sample_filter m_filter;
   std::size_t m_number_of_columns = 3, m_number_of_points = 0;
+  bool m_has_distances = true; // of its own
   std::string m_error;
 };
 

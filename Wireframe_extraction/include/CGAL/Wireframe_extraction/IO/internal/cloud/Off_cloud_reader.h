@@ -45,6 +45,7 @@ public:
     std::uint64_t count = 0;
     if (!read_header(count))
       return false;
+    sink.describe(m_options.distances != nullptr, std::string());
     std::vector<std::string_view> words;
     for (std::uint64_t done = 0; done < count; ++done)
     {
@@ -90,10 +91,11 @@ private:
     if (!parse_count(words[0], count) || words.size() > 3)
       return fail_at_line("the numbers of vertices, faces and edges are expected, found " + quote(words[0])
                           + "; write them there");
-    if (m_options.distances == nullptr)
+    if (m_options.needs_distances())
       return fail(m_filename
                   + ": an OFF file has no distances; give them as a separate file, one per vertex, or "
-                    "write a PLY file with a property of the vertices for them");
+                    "write a PLY file with a property of the vertices for them"
+                  + estimate_text());
     // a vertex takes at least six bytes
     if (m_input.is_size_known() && count > m_input.remaining() / 6 + 1)
       return fail(m_filename + ": its header promises " + std::to_string(count) + " vertices, which "

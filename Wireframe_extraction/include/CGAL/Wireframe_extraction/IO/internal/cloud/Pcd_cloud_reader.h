@@ -50,8 +50,10 @@ public:
   {
     if (!check_start())
       return false;
-    return read_header() && find_wanted_fields() && (m_is_binary ? read_binary(sink) : read_ascii(sink))
-      && m_filter.is_cloud_usable(m_filename, m_error);
+    if (!read_header() || !find_wanted_fields())
+      return false;
+    sink.describe(m_options.distances != nullptr || m_number_of_wanted == 4, std::string());
+    return (m_is_binary ? read_binary(sink) : read_ascii(sink)) && m_filter.is_cloud_usable(m_filename, m_error);
   }
 
   using Chunked_cloud_reader::filter;
@@ -157,12 +159,17 @@ private:
       m_point_size += m_fields[i].size * m_fields[i].count;
       m_number_of_columns += m_fields[i].count;
     }
-    m_number_of_wanted = (m_options.distances == nullptr) ? 4 : 3;
+    m_number_of_wanted = m_options.looks_for_distances() ? 4 : 3;
     static const char* const coordinates[] = {"x", "y", "z"};
     for (std::size_t i = 0; i < m_number_of_wanted; ++i)
     {
       const std::size_t index =
         i < 3 ? find_name(m_names, coordinates[i]) : find_distance_name(m_names, m_options.distance_property);
+      if (index == m_names.size() && i == 3 && !m_options.needs_distances())
+      {
+        m_number_of_wanted = 3;
+        break;
+      }
       if (index == m_names.size())
         return fail(missing_field_text(i < 3 ? coordinates[i] : m_options.distance_property, i == 3));
       const Field& field = m_fields[index];
@@ -186,7 +193,8 @@ private:
       text += quote(name);
     text += "; it has: " + join(m_names);
     if (is_distance)
-      text += ". Name the one that holds the distance (distance_property), or give the distances as a separate file";
+      text += ". Name the one that holds the distance (distance_property), or give the distances as a separate file"
+        + estimate_text();
     return text;
   }
 

@@ -92,6 +92,7 @@ public:
   // stops the reading by returning `false`
   bool read(Sample_sink& sink)
   {
+    sink.describe(m_options.distances != nullptr || m_number_of_wanted == 4, std::string());
     for (std::size_t i = 0; i < m_vertex_element; ++i)
       if (!skip_element(m_header.elements[i]))
         return fail_truncated("in the element " + quote(m_header.elements[i].name) + ", before the vertices");
@@ -117,12 +118,17 @@ private:
   {
     const Ply_element& vertex = m_header.elements[m_vertex_element];
     const std::vector<std::string> names = vertex.property_names();
-    m_number_of_wanted = (m_options.distances == nullptr) ? 4 : 3;
+    m_number_of_wanted = m_options.looks_for_distances() ? 4 : 3;
     static const char* const coordinates[] = {"x", "y", "z"};
     for (std::size_t i = 0; i < m_number_of_wanted; ++i)
     {
       const std::size_t index =
         i < 3 ? find_name(names, coordinates[i]) : find_distance_name(names, m_options.distance_property);
+      if (index == names.size() && i == 3 && !m_options.needs_distances())
+      {
+        m_number_of_wanted = 3;
+        break;
+      }
       if (index == names.size())
         return fail(missing_property_text(i < 3 ? coordinates[i] : m_options.distance_property, i == 3, names));
       if (vertex.properties[index].is_list)
@@ -148,7 +154,8 @@ private:
     text += "; they have: " + join(names);
     if (is_distance)
       text += ". Name the one that holds the distance (distance_property), or give the distances "
-              "as a separate file";
+              "as a separate file"
+        + estimate_text();
     return text;
   }
 

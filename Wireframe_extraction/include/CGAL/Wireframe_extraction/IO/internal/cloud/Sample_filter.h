@@ -13,6 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_SAMPLE_FILTER_H
 
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
+#include <CGAL/Wireframe_extraction/policies.h>
 
 #include <cmath>
 #include <cstddef>
@@ -52,7 +53,24 @@ struct Cloud_reader_options
   bool skip_invalid = false;
   double largest_magnitude = (std::numeric_limits<double>::max)(); // what the number type can hold
   const Separate_distances* distances = nullptr; // if set, the cloud's own distances are not looked at
+  Wireframe_extraction::Field_origin field_origin = Wireframe_extraction::Field_origin::GIVEN;
+
+  bool looks_for_distances() const
+  {
+    return distances == nullptr && field_origin != Wireframe_extraction::Field_origin::ESTIMATED;
+  }
+
+  // whether it is an error if none are found: who names them wants them
+  bool needs_distances() const
+  {
+    return looks_for_distances()
+      && (field_origin == Wireframe_extraction::Field_origin::GIVEN || !distance_property.empty()
+          || !distances_dataset.empty());
+  }
 };
+
+// for messages that tell what to do about distances that are missing
+inline std::string estimate_text() { return ", or have them estimated from the points (field_origin)"; }
 
 // names of the field's property, in the order in which they are looked for
 inline const std::vector<std::string>& known_distance_names()

@@ -15,6 +15,7 @@
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_filter.h>
 
 #include <cstddef>
+#include <string>
 
 namespace CGAL {
 namespace IO {
@@ -28,6 +29,10 @@ public:
 
   // how many samples there will be, where that can be trusted
   virtual void reserve(std::size_t) {}
+
+  // Is called before the first sample: whether distances are known (otherwise they are 0), and what was assumed about a file
+  // that does not say it.
+  virtual void describe(bool /*has_distances*/, const std::string& /*assumption*/) {}
 
   // returns whether more are wanted
   virtual bool operator()(const Distance_sample* first, const Distance_sample* last) = 0;

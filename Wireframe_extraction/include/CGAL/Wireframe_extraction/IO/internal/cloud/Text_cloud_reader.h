@@ -53,8 +53,12 @@ public:
         break;
       if (m_number_of_columns == 0 && is_preamble(fields))
         continue;
-      if (m_number_of_columns == 0 && !find_columns(fields))
-        return false;
+      if (m_number_of_columns == 0)
+      {
+        if (!find_columns(fields))
+          return false;
+        sink.describe(m_options.distances != nullptr || m_number_of_wanted == 4, m_assumption);
+      }
       if (!read_row(fields, sink))
         return false;
     }
@@ -65,8 +69,6 @@ public:
   const std::string& error() const { return m_table.error(); }
 
 private:
-  std::size_t number_of_wanted() const { return m_options.distances == nullptr ? 4 : 3; }
-
   // A line of names, or the number of points alone, may stand before the first row of data.
   bool is_preamble(const std::vector<std::string_view>& fields)
   {
@@ -103,7 +105,7 @@ private:
     set_names(fields);
     const std::size_t none = m_names.size();
     if (find_name(m_names, "x") == none || find_name(m_names, "y") == none || find_name(m_names, "z") == none
-        || (number_of_wanted() == 4 && find_distance_name(m_names, m_options.distance_property) == none))
+        || (m_options.needs_distances() && find_distance_name(m_names, m_options.distance_property) == none))
       m_names.clear();
   }
 
@@ -114,17 +116,20 @@ private:
     m_number_of_columns = number_of_columns;
     if (m_table.has_decimal_commas(fields))
       return m_table.fail_at_line("the numbers have decimal commas; decimals need a point, not a comma");
-    if (number_of_columns < number_of_wanted())
-      return m_table.fail_at_line("the row has " + plural(number_of_columns, "column", "columns") + ", at least "
-                                  + (number_of_wanted() == 4 ? "4 (x y z distance)" : "3 (x y z)") + " are needed"
-                                  + (number_of_columns == 3 ? "; distances may also come as a separate file" : ""));
+    const bool needs_distances = m_options.needs_distances();
+    if (number_of_columns < (needs_distances ? 4 : 3))
+      return m_table.fail_at_line(
+        "the row has " + plural(number_of_columns, "column", "columns") + ", at least "
+        + (needs_distances ? "4 (x y z distance)" : "3 (x y z)") + " are needed"
+        + (number_of_columns == 3 ? "; distances may also come as a separate file" + estimate_text() : ""));
     if (m_names.empty())
       take_names_from_comment(number_of_columns);
     else if (m_names.size() != number_of_columns)
       return m_table.fail_at_line("the row has " + plural(number_of_columns, "column", "columns")
                                   + ", the line of names has " + std::to_string(m_names.size())
                                   + "; name every column once");
-    return find_coordinate_columns() && (number_of_wanted() == 3 || find_distance_column(fields));
+    m_number_of_wanted = m_options.looks_for_distances() ? 4 : 3;
+    return find_coordinate_columns() && (m_number_of_wanted == 3 || find_distance_column(fields));
   }
 
   bool find_coordinate_columns()
@@ -147,8 +152,9 @@ private:
   {
     if (!(m_names.empty() ? find_distance_column_by_number(fields) : find_distance_column_by_name()))
       return false;
-    m_filter.set_distance_place(" in column " + std::to_string(m_columns[3] + 1)
-                                + (m_names.empty() ? "" : ", " + quote(m_names[m_columns[3]]) + ","));
+    if (m_number_of_wanted == 4)
+      m_filter.set_distance_place(" in column " + std::to_string(m_columns[3] + 1)
+                                  + (m_names.empty() ? "" : ", " + quote(m_names[m_columns[3]]) + ","));
     return true;
   }
 
@@ -166,15 +172,49 @@ private:
       && std::abs(square - 1.) < 0.02;
   }
 
+  // Whether three numbers from the given column on are red, green and blue.
+  static bool may_have_colours(const std::vector<std::string_view>& fields, std::size_t first)
+  {
+    std::size_t value;
+    return fields.size() == first + 3
+      && std::all_of(fields.begin() + std::ptrdiff_t(first), fields.end(),
+                     [&](std::string_view field) { return parse_count(field, value) && value < 256; });
+  }
+
+  // What stands behind the coordinates of columns without names, where distances need not be there.
+  bool assume_columns(const std::vector<std::string_view>& fields)
+  {
+    const std::size_t count = fields.size();
+    if (count == 3)
+      m_number_of_wanted = 3;
+    else if (count == 6 && may_have_normals(fields))
+      leave_out_distances("columns 4 to 6 are taken for a normal, so the file has no distances");
+    else if (may_have_colours(fields, 3) || may_have_colours(fields, 4))
+      leave_out_distances("columns " + std::to_string(count - 2) + " to " + std::to_string(count)
+                          + " are taken for a colour, so the file has no distances");
+    else if (count > 4 && !may_have_normals(fields))
+      m_assumption = "column 4 of " + std::to_string(count) + " is taken for the distance";
+    return m_number_of_wanted == 4;
+  }
+
+  void leave_out_distances(const std::string& reason)
+  {
+    m_number_of_wanted = 3;
+    m_assumption = reason + "; distance_property names the column if it has";
+  }
+
   bool find_distance_column_by_number(const std::vector<std::string_view>& fields)
   {
+    if (!m_options.needs_distances() && !assume_columns(fields))
+      return true;
     const std::string& wanted = m_options.distance_property;
     std::size_t number = 4;
     if (wanted.empty() && may_have_normals(fields))
       return m_table.fail_at_line("the row has " + std::to_string(m_number_of_columns)
                                   + " columns without names, of "
                                     "which 4 to 6 look like a normal; say which one holds the distance by its number, "
-                                    "counted from 1 (distance_property), or put a line of names first");
+                                    "counted from 1 (distance_property), or put a line of names first"
+                                  + estimate_text());
     if (!wanted.empty()
         && (!parse_count(std::string_view(wanted), number) || number < 4 || number > m_number_of_columns))
       return m_table.fail_at_line("no column is named " + quote(wanted)
@@ -194,11 +234,31 @@ private:
       return true;
     if (!m_options.distance_property.empty())
       return fail_at_names("no column is named " + quote(m_options.distance_property));
+    if (!m_options.needs_distances() && (m_names.size() != 4 || is_other_name(m_names[other_column()])))
+    {
+      m_number_of_wanted = 3;
+      return true;
+    }
     if (m_names.size() > 4)
       return fail_at_names("no column is named as the distance (looked for: " + join(known_distance_names())
-                           + "); name the right one (distance_property)");
-    m_columns[3] = 6 - m_columns[0] - m_columns[1] - m_columns[2];
+                           + "); name the right one (distance_property)" + estimate_text());
+    m_columns[3] = other_column();
+    if (!m_options.needs_distances())
+      m_assumption = "the column " + quote(m_names[m_columns[3]]) + " is taken for the distance";
     return true;
+  }
+
+  // of four columns the one besides the coordinates
+  std::size_t other_column() const { return 6 - m_columns[0] - m_columns[1] - m_columns[2]; }
+
+  // what scanners write behind the coordinates
+  static bool is_other_name(const std::string& name)
+  {
+    static const std::vector<std::string> names = {
+      "intensity", "scalar_intensity", "i",    "reflectance", "reflectivity", "label", "class",
+      "id",        "classification",   "time", "timestamp",   "rgb",          "rgba",  "gray",
+      "grey",      "curvature"};
+    return find_name(names, name) < names.size();
   }
 
   bool fail_at_names(const std::string& what)
@@ -213,7 +273,7 @@ private:
                                   + ", the rows before have " + std::to_string(m_number_of_columns)
                                   + "; complete it, or leave it out");
     std::array<double, 4> values = {{0., 0., 0., 0.}};
-    for (std::size_t i = 0; i < number_of_wanted(); ++i)
+    for (std::size_t i = 0; i < m_number_of_wanted; ++i)
     {
       const std::string_view field = fields[m_columns[i]];
       if (!parse_number(field, values[i]))
@@ -250,7 +310,8 @@ private:
   const Cloud_reader_options& m_options;
   Sample_filter m_filter;
   std::vector<std::string> m_names;
-  std::size_t m_number_of_columns = 0;
+  std::size_t m_number_of_columns = 0, m_number_of_wanted = 4;
+  std::string m_assumption;
   std::array<std::size_t, 4> m_columns = {{0, 1, 2, 3}};
   bool m_has_promised_count = false;
   std::size_t m_promised_count = 0;
