@@ -39,7 +39,7 @@ struct Arguments
   double sampling_distance = 0.02, angle = 30, radius = 1, truncation = 50, position_noise = 0.25, scale = 1;
   std::size_t points = 0;
   std::uint64_t seed = 1;
-  bool has_angle = false, has_radius = false, has_noise = false, is_list = false, is_forced = false;
+  bool has_angle = false, has_radius = false, has_noise = false, is_list = false, is_forced = false, is_bare = false;
 
   bool is_one_file() const { return fs::path(output).extension() == ".ply"; }
 };
@@ -188,7 +188,7 @@ std::size_t write_piece_by_piece(const Arguments& a, const Solid& solid, const S
 std::size_t write_clouds(const Arguments& a, const Solid& solid, const Sampling_options& options,
                          const Ground_truth& truth)
 {
-  if (options.sampling == Sampling::UNIFORM && a.fields == std::vector<std::string>{"exact"})
+  if (!a.is_bare && options.sampling == Sampling::UNIFORM && a.fields == std::vector<std::string>{"exact"})
     return write_piece_by_piece(a, solid, options, truth);
   const Cloud exact = sample_exactly(solid, options);
   print_counts(a, truth, exact.points.size());
@@ -200,6 +200,8 @@ std::size_t write_clouds(const Arguments& a, const Solid& solid, const Sampling_
     disturb(cloud, kind, kind == Field_kind::NOISY ? a.position_noise : 0., a.seed);
     const Field_statistics statistics = field_statistics(cloud);
     scale(cloud, a.scale);
+    if (a.is_bare)
+      cloud.distances.clear();
     write(paths[i], a.is_forced, [&cloud](std::ostream& out) { return write_ply(out, cloud); });
     std::cout << std::setprecision(3) << a.fields[i] << ": RMSE " << statistics.root_mean_square << " r, "
               << 100. * statistics.share_off << " % off by more than r: " << paths[i].string() << '\n';
@@ -282,6 +284,9 @@ void add_options(CLI::App& app, Arguments& a)
   app.add_option("--seed", a.seed, "of the random numbers, a whole number")
     ->capture_default_str()
     ->check(CLI::Validator(check_seed, ""));
+  app.add_flag(
+    "--without-distances", a.is_bare,
+    "leave the distances out, as a scanner does; what a field says of the points, such as their noise, stays");
   app.add_flag("--force", a.is_forced, "overwrite existing files");
 }
 

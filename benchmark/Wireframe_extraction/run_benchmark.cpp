@@ -51,7 +51,7 @@ struct Arguments
   std::size_t number_of_jobs = 1;
   double timeout = 120;
   std::size_t megabytes = 0;
-  bool is_quiet = false;
+  bool is_raw = false, is_quiet = false;
 };
 
 volatile std::sig_atomic_t is_stopped = 0;
@@ -154,7 +154,7 @@ Exit_code run(const Arguments& a, const char* program)
   check_output(a.markdown);
 
   const Temporary_folder folder;
-  const Run_options options = {tool, {a.timeout, a.megabytes}, folder.path()};
+  const Run_options options = {tool, {a.timeout, a.megabytes}, folder.path(), a.is_raw};
   std::signal(SIGINT, stop);
   std::signal(SIGTERM, stop);
   std::size_t count = 0;
@@ -205,6 +205,8 @@ void add_options(CLI::App& app, Arguments& a)
   app.add_option("-j,--jobs", a.number_of_jobs, "number of cases that run at once")
     ->capture_default_str()
     ->check(CLI::Range(std::size_t(1), std::size_t(1024)));
+  app.add_flag("--raw", a.is_raw,
+               "give the tool the positions of the points only, without distances and whatever else is known of them");
   app.add_option("--fields", a.fields, "run these fields only, separated by commas")
     ->delimiter(',')
     ->allow_extra_args(false);

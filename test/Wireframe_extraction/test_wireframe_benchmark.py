@@ -14,12 +14,13 @@ import pathlib
 import shlex
 import shutil
 import signal
+import struct
 import subprocess
 import sys
 import time
 import unittest
 
-from program_test import BAD_INPUT, SUCCESS, TIME_LIMIT, USAGE_ERROR, Program_test
+from program_test import BAD_INPUT, SUCCESS, TIME_LIMIT, USAGE_ERROR, Program_test, header_and_points
 
 RUN_BENCHMARK = EVALUATE_WIREFRAME = EXTRACT_WIREFRAME = None
 FAILED_CASE, STOPPED = 4, 130   # exit codes of these programs alone
@@ -96,6 +97,23 @@ class Benchmark_test(Program_test):
         with open(table, newline="") as file:
             self.rows = list(csv.DictReader(file))
         return process, {(row["case"], row["field"]): row for row in self.rows}
+
+    def test_raw(self):
+        """The tool gets the same points, and nothing else."""
+        seen = self.folder / "seen.ply"
+        tool = script("import shutil, sys; shutil.copy(sys.argv[1], sys.argv[2])", "{in}", str(seen), "{out}")
+        self.benchmark("--raw", "--match", "box", "--fields", "def", "--tool", tool)
+        header, points = header_and_points(self.cases / "flat/box/def.ply")
+        self.assertIn(b"distance", header)
+        data = seen.read_bytes()
+        end = data.index(b"end_header\n") + len(b"end_header\n")
+        self.assertEqual(data[:end].decode().splitlines(),
+                         ["ply", "format binary_little_endian 1.0", f"element vertex {len(points)}",
+                          "property float x", "property float y", "property float z", "end_header"])
+        self.assertEqual(list(struct.iter_unpack("<3f", data[end:])), [p[:3] for p in points])
+        if EXTRACT_WIREFRAME:
+            _, rows = self.benchmark("--raw", "--match", "box", "--fields", "exact")
+            self.assertEqual(rows["box", "exact"]["failure"], "")
 
     def check_error(self, process, code, *texts):
         self.assertEqual(process.returncode, code, process.stderr)

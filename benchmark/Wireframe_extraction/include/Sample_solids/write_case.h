@@ -87,15 +87,15 @@ inline void write_curves(std::ostream& out, const std::vector<True_curve>& curve
 
 } // namespace internal
 
-/// writes the header of a cloud of so many points.
-inline void write_ply_header(std::ostream& out, double sampling_distance, std::size_t points)
+/// writes the header of a cloud of so many points, with their distances or without.
+inline void write_ply_header(std::ostream& out, double sampling_distance, std::size_t points, bool has_distances = true)
 {
   out << "ply\nformat binary_little_endian 1.0\ncomment sampling distance " << internal::number(sampling_distance, 9)
-      << "\nelement vertex " << points
-      << "\nproperty float x\nproperty float y\nproperty float z\nproperty float distance\nend_header\n";
+      << "\nelement vertex " << points << "\nproperty float x\nproperty float y\nproperty float z\n"
+      << (has_distances ? "property float distance\n" : "") << "end_header\n";
 }
 
-/// writes points of a cloud behind its header.
+/// writes points of a cloud behind its header, and their distances if there are any.
 inline bool write_ply_points(std::ostream& out, const Cloud& cloud)
 {
   std::string buffer;
@@ -103,7 +103,8 @@ inline bool write_ply_points(std::ostream& out, const Cloud& cloud)
   {
     for (double x : cloud.points[i])
       internal::append_float(buffer, x);
-    internal::append_float(buffer, cloud.distances[i]);
+    if (!cloud.distances.empty())
+      internal::append_float(buffer, cloud.distances[i]);
     if (buffer.size() > (1u << 20) || i + 1 == cloud.points.size())
     {
       out.write(buffer.data(), static_cast<std::streamsize>(buffer.size()));
@@ -117,7 +118,7 @@ inline bool write_ply_points(std::ostream& out, const Cloud& cloud)
 /// distance.
 inline bool write_ply(std::ostream& out, const Cloud& cloud)
 {
-  write_ply_header(out, cloud.sampling_distance, cloud.points.size());
+  write_ply_header(out, cloud.sampling_distance, cloud.points.size(), !cloud.distances.empty());
   return write_ply_points(out, cloud) && out.flush();
 }
 

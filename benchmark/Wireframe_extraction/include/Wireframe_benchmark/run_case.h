@@ -16,6 +16,7 @@
 #include <Wireframe_benchmark/Tool_command.h>
 #include <Wireframe_benchmark/find_cases.h>
 #include <Wireframe_benchmark/run_process.h>
+#include <Wireframe_benchmark/write_bare_points.h>
 
 #include <Wireframe_evaluation/evaluate_wireframe.h>
 #include <Wireframe_evaluation/one_line.h>
@@ -37,6 +38,7 @@ struct Run_options
   Tool_command tool;
   Process_limits limits;
   fs::path work_folder; ///< for results, which are removed again
+  bool is_raw = false;  ///< whether the tool gets positions only
 };
 
 namespace internal {
@@ -112,11 +114,18 @@ inline Benchmark_row run_case(const Benchmark_case& c, const Run_options& option
   if (options.tool.uses_sampling_distance())
     r << read_truth(c.truth.string()).sampling_distance;
 
+  fs::path cloud = c.cloud;
+  if (options.is_raw)
+  {
+    cloud = options.work_folder / (std::to_string(id) + ".ply");
+    write_bare_points(c.cloud, cloud);
+  }
+
   // The truth is read after this: the memory that this process has at the fork counts as the tool's.
   const Process_result process =
-    run_process(options.tool.words(c.cloud.string(), result, r.str()), errors, options.limits);
+    run_process(options.tool.words(cloud.string(), result, r.str()), errors, options.limits);
   // the files have long names that tell nothing
-  std::string message = internal::replaced(internal::last_line(errors), c.cloud.string(), c.cloud.filename().string());
+  std::string message = internal::replaced(internal::last_line(errors), cloud.string(), c.cloud.filename().string());
   message = internal::replaced(message, result, "the result");
   const std::string failure = internal::failure_of_process(process, options.limits, message);
 
@@ -131,6 +140,8 @@ inline Benchmark_row run_case(const Benchmark_case& c, const Run_options& option
   std::error_code ignored;
   fs::remove(result, ignored);
   fs::remove(errors, ignored);
+  if (options.is_raw)
+    fs::remove(cloud, ignored);
 
   Benchmark_row row = internal::row_of(c);
   set_scores(row, scores);
