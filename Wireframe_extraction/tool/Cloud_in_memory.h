@@ -3,12 +3,11 @@
 #ifndef EXTRACT_WIREFRAME_CLOUD_IN_MEMORY_H
 #define EXTRACT_WIREFRAME_CLOUD_IN_MEMORY_H
 
-#include "Kernel.h"
 #include "open_input.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace tool {
@@ -16,28 +15,21 @@ namespace tool {
 class Cloud_in_memory : public Input_cloud
 {
 public:
-  typedef Kernel::Point_3 Point;
-
-  std::vector<std::pair<Point, double>> cloud;
+  std::vector<Sample> samples;
   std::size_t skipped = 0;
   std::string text, text_without_feature;
+  bool are_distances_known = true;
 
   bool read(const Sink& sink) override
   {
-    std::vector<Sample> chunk;
-    for (std::size_t i = 0; i < cloud.size(); ++i)
-    {
-      const Point& p = cloud[i].first;
-      chunk.push_back(Sample{p.x(), p.y(), p.z(), cloud[i].second});
-      if (chunk.size() < 4096 && i + 1 < cloud.size())
-        continue;
-      if (!sink(chunk.data(), chunk.data() + chunk.size()))
-        return true;
-      chunk.clear();
-    }
+    static constexpr std::size_t samples_per_chunk = 4096;
+    for (std::size_t first = 0; first < samples.size(); first += samples_per_chunk)
+      if (!sink(samples.data() + first, samples.data() + (std::min)(first + samples_per_chunk, samples.size())))
+        break;
     return true;
   }
 
+  bool has_distances() const override { return are_distances_known; }
   std::size_t number_of_skipped() const override { return skipped; }
   std::string no_feature() const override { return text_without_feature; }
   std::string note() const override { return text; }

@@ -23,9 +23,8 @@ class Command_line : public Option_parser
 {
 public:
   explicit Command_line(Options& options)
-    : Option_parser(
-      "Extracts a parametric wireframe from a point cloud with distances to sharp curves, or from a mesh.",
-      "extract_wireframe"),
+    : Option_parser("Extracts a parametric wireframe from a point cloud, with or without distances, or from a mesh.",
+                    "extract_wireframe"),
       m_options(options)
   {
     m_app.set_help_flag(); // for now, so that the files come first
@@ -72,6 +71,7 @@ public:
     m_options.has_stages = m_app.count("--stages") > 0;
     m_options.has_html = m_app.count("--html") > 0;
     m_options.has_png = m_app.count("--png") > 0;
+    m_options.has_field = m_app.count("--write-field") > 0;
     check_effects(m_app, m_options);
   }
 
@@ -82,9 +82,10 @@ private:
     m_app
       .add_option(
         "CLOUD", m_options.input.files,
-        std::string("The points and their distances: .ply .pcd .npy .npz .h5 .hdf5, or a text of four columns: "
-                    ".xyz .txt .csv .asc .pts; with --distances also .off. Or a mesh without distances: .stl .obj .off "
-                    ".ply. With --patches, as many clouds as there are")
+        std::string(
+          "The points, and their distances if there are any: .ply .pcd .npy .npz .h5 .hdf5, or a text of three "
+          "columns, or four with the distances: .xyz .txt .csv .asc .pts. Or a mesh: .stl .obj .off .ply. With "
+          "--patches, as many clouds as there are")
           + note_if_missing(Part::HDF5, ".h5 .hdf5") + note_if_missing(Part::ZLIB, "compressed .npz"))
       ->type_name(" ");
     m_app
@@ -110,6 +111,12 @@ private:
                     + note_if_missing(Part::PNG, "--png"))
       ->type_name("OUT.png")
       ->group(group);
+    m_app
+      .add_option("--write-field", m_options.field,
+                  "Write the points with the distances that were estimated, and with their standard deviations, for "
+                  "MeshLab, CloudCompare, or to go on from there")
+      ->type_name("OUT.ply")
+      ->group(group);
     add_choice("--view", m_options.view,
                {{"isometric", View::ISOMETRIC}, {"front", View::FRONT}, {"right", View::RIGHT}, {"top", View::TOP}},
                "From where the picture of --png is taken, as in .svg", group);
@@ -129,8 +136,8 @@ private:
     m_app
       .add_option("--stages", m_options.stages_folder,
                   "Write the result of each stage into this folder (made if missing), as coloured PLY "
-                  "files 1_skeleton.ply to 6_curves.ply for MeshLab or CloudCompare; those of an earlier "
-                  "run are replaced. They stay if a later stage fails")
+                  "files 1_skeleton.ply to 6_curves.ply for MeshLab or CloudCompare, and 0_field.ply if the field is "
+                  "estimated; those of an earlier run are replaced. They stay if a later stage fails")
       ->type_name("DIR")
       ->group(group);
   }
@@ -138,6 +145,14 @@ private:
   void add_input()
   {
     const std::string group = "Input";
+    namespace wireframe = CGAL::Wireframe_extraction;
+    add_choice("--field,--field-origin", m_options.input.field_origin,
+               {{"given", wireframe::Field_origin::GIVEN},
+                {"estimated", wireframe::Field_origin::ESTIMATED},
+                {"auto", wireframe::Field_origin::AUTOMATIC}},
+               "Where the distances come from: they are in CLOUD (or --distances), and it is an error if they are not; "
+               "they are estimated from the points, whatever is in CLOUD; or they are estimated if there are none",
+               group);
     CLI::Option* const distances =
       m_app
         .add_option(
@@ -196,7 +211,9 @@ private:
                "have count",
                group);
     add_number("--minimum-fold", input.minimum_fold, 0., 180., false,
-               "The angle between two faces from which on their edge is sharp, in degrees", group);
+               "The angle between two faces from which on their edge is sharp; and where distances are estimated, the "
+               "least angle by which the surface is folded at a sharp feature, in degrees",
+               group);
     add_number("--maximum-facet-fold", input.maximum_facet_fold, 0., 180., true,
                "Up to which angle regular folds are the facets of a curved surface, in degrees", group);
     add_boolean("--use-boundaries", input.use_boundaries, "Whether edges of one face only are sharp", group);
@@ -263,6 +280,10 @@ private:
                                          "option, as in --quiet true");
     if (input.files.size() > 1 && !input.are_patches)
       throw CLI::ExtrasError("extract_wireframe", {input.files[1] + " (several clouds are read as --patches of one)"});
+    const bool is_estimated = input.field_origin == CGAL::Wireframe_extraction::Field_origin::ESTIMATED;
+    for (const char* const name : {"--distances", "--distance-property", "--distances-dataset", "--patches"})
+      if (is_estimated && (name == std::string("--patches") ? input.are_patches : m_app.count(name) > 0))
+        throw CLI::ExcludesError("--field estimated", name);
     if (input.are_patches && input.has_distances)
       throw CLI::ExcludesError("--patches", "--distances");
   }
@@ -271,13 +292,14 @@ private:
   {
     if (m_app.count("CLOUD") == 0)
       throw CLI::RequiredError("CLOUD");
-    if (m_app.count("--output") == 0 && m_app.count("--html") == 0 && m_app.count("--png") == 0)
-      throw CLI::RequiredError("--output (or --html, or --png)");
+    if (m_app.count("--output") == 0 && m_app.count("--html") == 0 && m_app.count("--png") == 0
+        && m_app.count("--write-field") == 0)
+      throw CLI::RequiredError("--output (or --html, or --png, or --write-field)");
   }
 
   void complete_batch()
   {
-    for (const char* const name : {"CLOUD", "--output", "--html", "--png", "--stages", "--distances"})
+    for (const char* const name : {"CLOUD", "--output", "--html", "--png", "--write-field", "--stages", "--distances"})
       if (m_app.count(name) > 0)
         throw CLI::ExcludesError("--batch", name);
     if (m_options.batch.output_folder.empty())
@@ -331,7 +353,7 @@ private:
     add_checked(
       "--points-in-memory", m_options.points_in_memory, 1, 99999999,
       "A larger CLOUD stays in its file, which is then read up to five times, and only what lies near features is "
-      "kept; the result is the same",
+      "kept; the result is the same. Where distances are estimated, all points are in memory",
       group)
       ->capture_default_str();
     add_boolean("--quiet", m_options.is_quiet, "Print nothing but errors", group);

@@ -16,9 +16,11 @@
 #include "run_batch.h"
 #include "shown_cloud.h"
 #include "summary.h"
+#include "write_field.h"
 #include "write_page.h"
 #include "write_picture.h"
 
+#include <CGAL/Wireframe_extraction/Distance_field.h>
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 #include <CGAL/extract_wireframe.h>
@@ -65,17 +67,23 @@ public:
     const Wireframe wireframe = extract(*cloud, progress, stages);
     throw_if(stages.error(), INTERNAL_ERROR);
     throw_if(with_option_names(cloud->error_message()), BAD_INPUT);
+    if (m_options.has_field && cloud->has_distances())
+      throw Error(
+        USAGE_ERROR,
+        m_options.input.files.front()
+          + ": has distances, so none are estimated that --write-field could write; --field estimated estimates "
+            "them all the same");
     throw_if_failed(wireframe);
     m_number_of_skipped = cloud->number_of_skipped();
     if (!cloud->note().empty())
-      m_notes.push_back(cloud->note());
+      m_notes.push_back(with_option_names(cloud->note()));
     const auto begin = Clock::now();
     m_seconds.insert(m_seconds.begin(), m_report.seconds.begin(), m_report.seconds.end());
     m_seconds.front().second += m_seconds_of_opening;
     Cloud shown;
-    if ((m_options.has_html || m_options.has_png) && !sample(*cloud, shown))
+    if ((m_options.has_html || m_options.has_png) && !sample(*cloud, m_field, shown))
       throw Error(BAD_INPUT, with_option_names(cloud->error_message()));
-    m_outputs.write(wireframe, pictures(shown, stages, wireframe));
+    m_outputs.write(wireframe, pictures(*cloud, shown, stages, wireframe));
     m_seconds.emplace_back("writing", seconds_since(begin));
     progress.clear();
     m_number_of_curves = wireframe.curves.size();
@@ -148,12 +156,20 @@ private:
   Wireframe extract(Input_cloud& cloud, Progress& progress, Stage_recorder& stages)
   {
     const Extraction_options& options = m_options.extraction;
-    Stage_visitor visitor(progress, stages);
-    bool is_read = false;
+    bool is_read = false, is_field_known = false;
+    const auto use_field = [&, this](const CGAL::Wireframe_extraction::Distance_field& field) {
+      stages.record_field(cloud, field);
+      if (m_options.has_html || m_options.has_png || m_options.has_field)
+        m_field = field;
+    };
+    Stage_visitor visitor(progress, stages, is_field_known, use_field);
     const std::function<bool(double)> callback = [&, this](double share) {
       if (!is_read) // the first call comes once the cloud is known to be usable
       {
         is_read = true;
+        is_field_known = cloud.has_distances();
+        if (m_options.has_field && is_field_known)
+          return false;
         if (m_options.has_stages)
           m_folder.remove_old_files();
         progress.start("estimating the sampling distance");
@@ -165,6 +181,7 @@ private:
       cloud,
       parameters::sampling_distance(m_options.sampling_distance)
         .points_in_memory(static_cast<std::size_t>(m_options.points_in_memory))
+        .minimum_fold(m_options.input.minimum_fold)
         .noise_level(options.noise_level)
         .skeleton_distance(options.skeleton_distance)
         .support_distance(options.support_distance)
@@ -212,8 +229,9 @@ private:
       throw Error(INTERNAL_ERROR, text);
     throw Error(NO_FEATURE,
                 text
-                  + (m_report.skeleton_size == 0 ? "; --skeleton-distance sets the threshold"
-                                                 : "; --stages DIR shows what the stages found"));
+                  + (m_report.is_field_estimated && m_report.number_of_near_points == 0 ? ""
+                       : m_report.skeleton_size == 0 ? "; --skeleton-distance sets the threshold"
+                                                     : "; --stages DIR shows what the stages found"));
   }
 
   Summary summary(const Wireframe& wireframe) const
@@ -232,7 +250,8 @@ private:
     return texts;
   }
 
-  std::vector<Picture> pictures(const Cloud& cloud, const Stage_recorder& stages, const Wireframe& wireframe) const
+  std::vector<Picture> pictures(Input_cloud& input, const Cloud& cloud, const Stage_recorder& stages,
+                                const Wireframe& wireframe) const
   {
     std::vector<Picture> result;
     if (m_options.has_html)
@@ -242,6 +261,10 @@ private:
     if (m_options.has_png)
       result.push_back({m_options.png, [this, &cloud, &wireframe](std::ostream& stream, std::string& error) {
                           return write_picture(stream, m_options.view, cloud, wireframe, error);
+                        }});
+    if (m_options.has_field)
+      result.push_back({m_options.field, [this, &input](std::ostream& stream, std::string& error) {
+                          return write_field(stream, input, m_field, error);
                         }});
     return result;
   }
@@ -268,6 +291,8 @@ private:
       files.push_back(m_options.html);
     if (m_options.has_png)
       files.push_back(m_options.png);
+    if (m_options.has_field)
+      files.push_back(m_options.field);
     files.insert(files.end(), stages.written_files().begin(), stages.written_files().end());
     print_summary(std::cout, summary(wireframe), m_seconds, files);
     for (const std::string& remark : remarks())
@@ -279,6 +304,7 @@ private:
   const Output_files<Kernel> m_outputs;
   Stage_folder m_folder;
   Report m_report;
+  CGAL::Wireframe_extraction::Distance_field m_field; // that was estimated, if it is needed
   std::size_t m_number_of_skipped = 0, m_number_of_curves = 0;
   double m_seconds_of_opening = 0.;
   std::vector<std::pair<std::string, double>> m_seconds;

@@ -25,9 +25,10 @@ struct Options
   Input input;
   std::string stages_folder;
   std::vector<std::string> outputs;
-  std::string html, png;
-  View view = View::ISOMETRIC; // of the picture
-  bool has_stages = false, has_batch = false, has_html = false, has_png = false, is_paper = false, is_quiet = false;
+  std::string html, png, field; // the last one gets the field that was estimated
+  View view = View::ISOMETRIC;  // of the picture
+  bool has_stages = false, has_batch = false, has_html = false, has_png = false, has_field = false, is_paper = false,
+       is_quiet = false;
   int number_of_threads = 0; // 0: as many as there are
   int points_in_memory = 1 << 20;
   double sampling_distance = 0.; // 0: to be estimated

@@ -54,6 +54,8 @@ public:
       check_page();
     if (m_options.has_png)
       check_picture();
+    if (m_options.has_field)
+      check_field();
   }
 
   static void check_extension(const std::string& name)
@@ -117,6 +119,13 @@ private:
                     + ": this extract_wireframe was built without libpng, which --png needs; "
                       "install it (Debian: libpng-dev) and build again");
     check_writable(m_options.png);
+  }
+
+  void check_field() const
+  {
+    if (CGAL::IO::internal::lower_extension(m_options.field) != ".ply")
+      throw Error(USAGE_ERROR, m_options.field + ": a field is written into .ply; give --write-field OUT.ply");
+    check_writable(m_options.field);
   }
 
   static void check_writable(const std::string& name)
@@ -191,6 +200,8 @@ inline void check_that_files_differ(const Options& options)
     add(options.html, true);
   if (options.has_png)
     add(options.png, true);
+  if (options.has_field)
+    add(options.field, true);
   if (options.has_stages)
     for (const std::string& name : Stage_folder::file_names())
       add((fs::path(options.stages_folder) / name).string(), true);

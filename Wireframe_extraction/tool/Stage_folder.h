@@ -16,8 +16,8 @@ class Stage_folder
 public:
   static const std::vector<std::string>& file_names()
   {
-    static const std::vector<std::string> names = {"1_skeleton.ply", "2_feet.ply",  "3_corners.ply",
-                                                   "4_clusters.ply", "5_graph.ply", "6_curves.ply"};
+    static const std::vector<std::string> names = {"0_field.ply",    "1_skeleton.ply", "2_feet.ply",  "3_corners.ply",
+                                                   "4_clusters.ply", "5_graph.ply",    "6_curves.ply"};
     return names;
   }
 

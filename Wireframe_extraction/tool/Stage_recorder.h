@@ -5,7 +5,9 @@
 
 #include "Coloured_geometry.h"
 #include "Stage_folder.h"
+#include "open_input.h"
 
+#include <CGAL/Wireframe_extraction/Distance_field.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/Sampled_wireframe.h>
 
 #include <CGAL/boost/graph/properties.h>
@@ -43,6 +45,29 @@ public:
   const std::vector<std::string>& written_files() const { return m_written_files; }
   const std::vector<Recorded_stage>& stages() const { return m_stages; }
 
+  // the page shows the cloud in these colours anyway
+  void record_field(Input_cloud& cloud, const CGAL::Wireframe_extraction::Distance_field& field)
+  {
+    if (!m_folder.is_given() || !m_error.empty())
+      return;
+    Coloured_geometry geometry("distance");
+    std::size_t index = 0;
+    const bool is_read = cloud.read([&](const Input_cloud::Sample* first, const Input_cloud::Sample* beyond) {
+      for (; first != beyond; ++first, ++index)
+      {
+        const double distance = field.distances[index];
+        if (std::isfinite(distance))
+          geometry.add_point(std::array<double, 3>{first->x, first->y, first->z},
+                             colour_of_value(distance / field.truncation), distance);
+      }
+      return true;
+    });
+    if (is_read)
+      write(geometry, 0);
+    else
+      m_error = cloud.error_message();
+  }
+
   template <class Skeleton>
   void record_skeleton(const Skeleton& skeleton)
   {
@@ -57,7 +82,7 @@ public:
       const double distance = CGAL::to_double(skeleton.distance(i));
       geometry.add_point(skeleton.point(i), colour_of_value(largest > 0. ? distance / largest : 0.), distance);
     }
-    record(std::move(geometry), 0, skeleton.size());
+    record(std::move(geometry), 1, skeleton.size());
   }
 
   template <class Skeleton>
@@ -72,7 +97,7 @@ public:
       geometry.add_point(skeleton.foot(i), colour_of_value(residual / CGAL::to_double(skeleton.sampling_distance())),
                          residual);
     }
-    record(std::move(geometry), 1, skeleton.size());
+    record(std::move(geometry), 2, skeleton.size());
   }
 
   template <class Skeleton, class Corners>
@@ -89,7 +114,7 @@ public:
     add_by_index(skeleton, corner_of_point, corners.size(), geometry);
     for (std::size_t i = 0; i < corners.size(); ++i)
       add_ball(corners[i], static_cast<double>(i), geometry);
-    record(std::move(geometry), 2, corners.size());
+    record(std::move(geometry), 3, corners.size());
   }
 
   template <class Skeleton, class Clusters>
@@ -104,7 +129,7 @@ public:
           cluster_of_point[member] = i;
     Coloured_geometry geometry("cluster");
     add_by_index(skeleton, cluster_of_point, clusters.size(), geometry);
-    record(std::move(geometry), 3, clusters.size());
+    record(std::move(geometry), 4, clusters.size());
   }
 
   template <class Graph>
@@ -118,7 +143,7 @@ public:
                          graph[v].is_corner ? 1. : 0.);
     for (const auto e : boost::make_iterator_range(edges(graph)))
       geometry.add_edge(source(e, graph), target(e, graph), colour_of_index(graph[e].curve_id));
-    record(std::move(geometry), 4, num_edges(graph));
+    record(std::move(geometry), 5, num_edges(graph));
   }
 
   template <class Wireframe>
@@ -149,7 +174,7 @@ public:
         last = index;
       }
     }
-    record(std::move(geometry), 5, wireframe.curves.size());
+    record(std::move(geometry), 6, wireframe.curves.size());
   }
 
 private:
@@ -198,16 +223,19 @@ private:
     }
   }
 
+  void write(const Coloured_geometry& geometry, std::size_t stage)
+  {
+    const std::string filename = m_folder.path_of(Stage_folder::file_names()[stage]);
+    m_error = geometry.write(filename);
+    if (m_error.empty())
+      m_written_files.push_back(filename);
+  }
+
   void record(Coloured_geometry&& geometry, std::size_t stage, std::size_t count)
   {
     const std::string& file_name = Stage_folder::file_names()[stage];
     if (m_folder.is_given())
-    {
-      const std::string filename = m_folder.path_of(file_name);
-      m_error = geometry.write(filename);
-      if (m_error.empty())
-        m_written_files.push_back(filename);
-    }
+      write(geometry, stage);
     if (m_is_kept)
       m_stages.push_back({file_name.substr(2, file_name.find('.') - 2), count, std::move(geometry)});
   }

@@ -7,17 +7,32 @@
 #include "Stage_recorder.h"
 
 #include <CGAL/Wireframe_extraction/Default_visitor.h>
+#include <CGAL/Wireframe_extraction/Distance_field.h>
+
+#include <functional>
 
 namespace tool {
 
 class Stage_visitor : public CGAL::Wireframe_extraction::Default_visitor
 {
+  typedef CGAL::Wireframe_extraction::Distance_field Field;
+
 public:
-  Stage_visitor(Progress& progress, Stage_recorder& stages) : m_progress(progress), m_stages(stages) {}
+  // `use_field` gets the field if it is estimated
+  Stage_visitor(Progress& progress, Stage_recorder& stages, const bool& is_field_known,
+                const std::function<void(const Field&)>& use_field)
+    : m_progress(progress), m_stages(stages), m_is_field_known(is_field_known), m_use_field(use_field)
+  {}
 
   template <class FT>
   void sampling_distance_estimated(const FT&)
   {
+    m_progress.start(m_is_field_known ? "selecting the skeleton" : "estimating the distances");
+  }
+
+  void field_estimated(const Field& field)
+  {
+    m_use_field(field);
     m_progress.start("selecting the skeleton");
   }
 
@@ -66,6 +81,8 @@ public:
 private:
   Progress& m_progress;
   Stage_recorder& m_stages;
+  const bool& m_is_field_known; // once the cloud was read
+  const std::function<void(const Field&)> m_use_field;
 };
 
 } // namespace tool

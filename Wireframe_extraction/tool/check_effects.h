@@ -77,12 +77,15 @@ inline void check_effects(const CLI::App& app, const Options& options)
 {
   for (const char* const name : {"--fuse", "--indices-dataset", "--use-indices"})
     require(app, name, options.input.are_patches, "--patches");
-  for (const char* const name :
-       {"--mesh", "--minimum-fold", "--maximum-facet-fold", "--use-boundaries", "--maximum-number-of-points"})
+  const bool has_mesh = may_be_mesh(options) && options.input.mesh != Mesh_choice::SCAN;
+  const bool is_given = options.input.field_origin == CGAL::Wireframe_extraction::Field_origin::GIVEN
+    || options.input.has_distances || options.input.are_patches;
+  for (const char* const name : {"--mesh", "--maximum-facet-fold", "--use-boundaries", "--maximum-number-of-points"})
     require(app, name, may_be_mesh(options), "a mesh without --distances: .stl, .obj, .off or .ply");
-  for (const char* const name :
-       {"--minimum-fold", "--maximum-facet-fold", "--use-boundaries", "--maximum-number-of-points"})
-    require(app, name, options.input.mesh != Mesh_choice::SCAN, "a mesh that is no --mesh scan");
+  for (const char* const name : {"--maximum-facet-fold", "--use-boundaries", "--maximum-number-of-points"})
+    require(app, name, has_mesh, "a mesh that is no --mesh scan");
+  require(app, "--minimum-fold", has_mesh || !is_given, "a mesh, or a CLOUD whose distances are estimated (--field)");
+  require(app, "--write-field", !is_given, "a CLOUD whose distances are estimated (--field)");
   check_effects_on_outputs(app, options);
   check_effects_on_curves(app, options.extraction);
 }

@@ -4,14 +4,15 @@
 #include "open_mesh.h"
 
 #include <CGAL/Wireframe_extraction/IO/Distance_cloud_file.h>
-#include <CGAL/Wireframe_extraction/IO/read_distance_cloud.h>
 #include <CGAL/Wireframe_extraction/IO/read_distance_patches.h>
 #include <CGAL/Wireframe_extraction/fuse_distance_patches.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace tool {
 namespace {
@@ -29,8 +30,10 @@ public:
   {}
 
   bool read(const Sink& sink) override { return m_file.read(sink); }
+  bool has_distances() const override { return m_file.has_distances(); }
   std::string error_message() const override { return m_file.error_message(); }
   std::size_t number_of_skipped() const override { return m_file.number_of_skipped(); }
+  std::string note() const override { return m_file.assumption(); }
 
 private:
   CGAL::IO::Distance_cloud_file m_file;
@@ -45,6 +48,20 @@ bool can_be_read_once_only(const std::string& filename)
     && !std::filesystem::is_directory(status);
 }
 
+// returns what went wrong
+std::string take(CGAL::IO::Distance_cloud_file&& file, Cloud_in_memory& result)
+{
+  typedef Input_cloud::Sample Sample;
+  file.read([&result](const Sample* first, const Sample* beyond) {
+    result.samples.insert(result.samples.end(), first, beyond);
+    return true;
+  });
+  result.skipped = file.number_of_skipped();
+  result.text = file.assumption();
+  result.are_distances_known = file.has_distances();
+  return file.error_message();
+}
+
 template <class NamedParameters>
 std::string read_patches(const Input& input, Cloud_in_memory& result, const NamedParameters& np)
 {
@@ -57,11 +74,14 @@ std::string read_patches(const Input& input, Cloud_in_memory& result, const Name
   std::size_t number_of_points = 0;
   for (const auto& patch : patches)
     number_of_points += patch.samples.size();
-  if (!wireframe::fuse_distance_patches(patches, result.cloud,
+  std::vector<std::pair<Point, double>> cloud;
+  if (!wireframe::fuse_distance_patches(patches, cloud,
                                         wireframe::parameters::patch_fusion(input.fusion).error_message(&error)))
     return input.files.front() + (input.files.size() > 1 ? " and its fellow patches: " : ": ") + error;
   result.text = "the patches have " + std::to_string(number_of_points) + (number_of_points == 1 ? " point" : " points")
-    + ", which were fused to " + std::to_string(result.cloud.size());
+    + ", which were fused to " + std::to_string(cloud.size());
+  for (const auto& sample : cloud)
+    result.samples.push_back({sample.first.x(), sample.first.y(), sample.first.z(), sample.second});
   return std::string();
 }
 
@@ -70,6 +90,7 @@ std::string read_patches(const Input& input, Cloud_in_memory& result, const Name
 std::unique_ptr<Input_cloud> open_input(const Input& input, std::string& error)
 {
   const auto np = wireframe::parameters::skip_invalid(input.skip_invalid)
+                    .field_origin(input.field_origin)
                     .distance_property(input.distance_property)
                     .points_dataset(input.points_dataset)
                     .distances_dataset(input.distances_dataset);
@@ -80,13 +101,12 @@ std::unique_ptr<Input_cloud> open_input(const Input& input, std::string& error)
   if (!input.are_patches && !is_once_only)
     return std::make_unique<Cloud_in_file>(input, np);
   auto result = std::make_unique<Cloud_in_memory>();
-  const auto all = np.number_of_skipped(&result->skipped);
   if (input.are_patches)
-    error = read_patches(input, *result, all);
+    error = read_patches(input, *result, np.number_of_skipped(&result->skipped));
   else if (input.has_distances)
-    CGAL::IO::read_distance_cloud(input.files.front(), input.distances, result->cloud, all.error_message(&error));
+    error = take(CGAL::IO::Distance_cloud_file(input.files.front(), input.distances, np), *result);
   else
-    CGAL::IO::read_distance_cloud(input.files.front(), result->cloud, all.error_message(&error));
+    error = take(CGAL::IO::Distance_cloud_file(input.files.front(), np), *result);
   return result;
 }
 

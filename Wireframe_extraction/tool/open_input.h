@@ -30,6 +30,7 @@ struct Input
   std::string distance_property, points_dataset, distances_dataset, indices_dataset;
   bool use_indices = true, skip_invalid = false;
   CGAL::Wireframe_extraction::Patch_fusion fusion = CGAL::Wireframe_extraction::Patch_fusion::MINIMUM;
+  CGAL::Wireframe_extraction::Field_origin field_origin = CGAL::Wireframe_extraction::Field_origin::AUTOMATIC;
   Mesh_choice mesh = Mesh_choice::AUTOMATIC;
   // of a mesh that is sampled, as of sample_sharp_mesh()
   double sampling_distance = 0., minimum_fold = 20., maximum_facet_fold = 50.;
@@ -37,7 +38,7 @@ struct Input
   bool use_boundaries = false;
 };
 
-// A cloud that stays in its file, or one in memory.
+// A cloud that stays in its file, or one in memory, with distances or without.
 class Input_cloud : public CGAL::Wireframe_extraction::Distance_cloud_source
 {
 public:

@@ -29,12 +29,20 @@ internal::Sharp_mesh_options options_of(const Input& input)
   return options;
 }
 
-// the vertices of a scanned mesh are a cloud without distances
+// the vertices of a scanned mesh are a cloud without distances, which are not always welcome
 std::string scan_text(const std::string& filename)
 {
   return filename
-    + ": the mesh is a scan: its vertices are a cloud without distances; give a cloud with them, or if the mesh is a "
-      "shape whose edges are edges of the mesh, --mesh cad";
+    + ": the mesh is a scan: its vertices are a cloud without distances; give a cloud with them, have them estimated "
+      "(--field), or if the mesh is a shape whose edges are edges of the mesh, --mesh cad";
+}
+
+void take_vertices(const internal::Polygon_soup& soup, Cloud_in_memory& result)
+{
+  for (const internal::Vector& p : soup.points)
+    result.samples.push_back({p.x(), p.y(), p.z(), 0.});
+  result.text = "the mesh was taken for a scan (--mesh scan), whose vertices are the points";
+  result.are_distances_known = false;
 }
 
 std::string no_sharp_edge_text(const std::string& filename, const internal::Sharp_mesh& mesh,
@@ -108,7 +116,13 @@ std::unique_ptr<Input_cloud> open_mesh(const Input& input, std::string& error)
       error = filename + ": " + error;
     else if (input.mesh == Mesh_choice::SCAN
              || (input.mesh == Mesh_choice::AUTOMATIC && mesh.kind == wireframe::Mesh_kind::SCAN))
-      error = scan_text(filename);
+    {
+      if (input.field_origin == wireframe::Field_origin::GIVEN)
+        error = scan_text(filename);
+      else
+        take_vertices(soup, *result);
+      return result;
+    }
     if (!error.empty())
       return result;
     if (mesh.sharp.edges.empty())
@@ -118,9 +132,9 @@ std::unique_ptr<Input_cloud> open_mesh(const Input& input, std::string& error)
     }
     const internal::Mesh_samples samples = internal::sample_mesh(mesh, options);
     for (std::size_t i = 0; i < samples.points.size(); ++i)
-      result->cloud.emplace_back(
-        Cloud_in_memory::Point(samples.points[i].x(), samples.points[i].y(), samples.points[i].z()),
-        samples.distances[i]);
+      result->samples.push_back(
+        {samples.points[i].x(), samples.points[i].y(), samples.points[i].z(), samples.distances[i]});
+    result->are_distances_known = input.field_origin != wireframe::Field_origin::ESTIMATED;
     result->text = note_on(mesh, samples);
   }
   catch (const std::bad_alloc&)

@@ -6,6 +6,7 @@
 #include "Kernel.h"
 #include "open_input.h"
 
+#include <CGAL/Wireframe_extraction/Distance_field.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/curve_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/wireframe_tools.h>
 
@@ -26,15 +27,17 @@ typedef std::vector<std::pair<Kernel::Point_3, double>> Cloud;
 // more points than this make pages and pictures large, and none of them is missed
 constexpr std::size_t most_shown_points = 1000000;
 
-// Reads as many points as are shown: of more, evenly many from everywhere. Returns whether the cloud could be read.
-inline bool sample(Input_cloud& cloud, Cloud& result)
+// Reads as many points as are shown: of more, evenly many from everywhere. Returns whether the cloud could be read. If the
+// distances were estimated, they are those of `field`.
+inline bool sample(Input_cloud& cloud, const CGAL::Wireframe_extraction::Distance_field& field, Cloud& result)
 {
   std::size_t seen = 0;
   boost::random::mt19937_64 random(1);
   return cloud.read([&](const Input_cloud::Sample* first, const Input_cloud::Sample* beyond) {
     for (; first != beyond; ++first, ++seen)
     {
-      const Cloud::value_type value({first->x, first->y, first->z}, first->distance);
+      const double distance = field.is_empty() ? first->distance : field.distances.at(seen);
+      const Cloud::value_type value({first->x, first->y, first->z}, distance);
       if (result.size() < most_shown_points)
         result.push_back(value);
       else

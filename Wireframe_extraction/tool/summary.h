@@ -119,6 +119,10 @@ Summary summary_of(const Options& options, const CGAL::Wireframe<GeomTraits>& wi
   Summary rows;
   rows.emplace_back("Points", points_text(report, number_of_skipped));
   rows.emplace_back("r", short_number(r) + (options.sampling_distance > 0. ? " (given)" : " (estimated)"));
+  if (report.is_field_estimated)
+    rows.emplace_back("Field",
+                      "estimated from the points, whose noise is " + length_text(report.point_noise, r) + "; "
+                        + counted(report.number_of_near_points, "point", "points") + " near features");
   rows.emplace_back("Noise", length_text(report.noise, r));
   rows.emplace_back("Skeleton", counted(report.skeleton_size, "point", "points"));
   rows.emplace_back(

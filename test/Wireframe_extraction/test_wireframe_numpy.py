@@ -64,7 +64,7 @@ class Numpy_test(Program_test):
         numpy.save(self.folder / "points.npy", self.points)
         numpy.save(self.folder / "distances.npy", self.distances)
         self.check("points.npy", "--distances", "distances.npy")
-        self.refuse(BAD_INPUT, ["points.npy", "no distances"], "points.npy")
+        self.refuse(BAD_INPUT, ["points.npy", "no distances"], "points.npy", "--field", "given")
         numpy.save(self.folder / "objects.npy", numpy.array([[1, "a", None]], dtype=object))
         self.refuse(BAD_INPUT, ["objects.npy", "Python objects"], "objects.npy")
         numpy.save(self.folder / "half.npy", self.cloud.astype("f2"))
@@ -76,7 +76,8 @@ class Numpy_test(Program_test):
         numpy.savez(self.folder / "b.npz", xyz=self.points.reshape(10, -1, 3), d=self.distances.reshape(10, -1))
         self.check("b.npz", "--points-dataset", "xyz", "--distances-dataset", "d")
         self.refuse(BAD_INPUT, ["b.npz", "xyz, d", "--points-dataset"], "b.npz")
-        self.refuse(BAD_INPUT, ["b.npz", "sharpness", "--distances-dataset"], "b.npz", "--points-dataset", "xyz")
+        self.refuse(BAD_INPUT, ["b.npz", "sharpness", "--distances-dataset"], "b.npz", "--points-dataset", "xyz",
+                    "--field", "given")
         numpy.savez_compressed(self.folder / "c.npz", points=self.points, distances=self.distances)
         if WITH_ZLIB:
             self.check("c.npz")
@@ -97,7 +98,7 @@ class Numpy_test(Program_test):
         (self.folder / "mesh.off").write_text("OFF\n5000 1 0\n" + lines + "3 0 1 2\n")
         numpy.savez(self.folder / "d.npz", prediction=self.distances)
         self.check("mesh.off", "--distances", "d.npz", "--distances-dataset", "prediction")
-        self.refuse(BAD_INPUT, ["mesh.off", "no distances"], "mesh.off")
+        self.refuse(BAD_INPUT, ["mesh.off", "no distances"], "mesh.off", "--field", "given")
         self.refuse(BAD_INPUT, ["d.npz", "prediction", "--distances-dataset"], "mesh.off", "--distances", "d.npz")
 
     def patches(self, count=6):

@@ -450,9 +450,9 @@ class Tool_test(Program_test):
         names = re.findall(r"^CGAL_add_named_parameter\(\w+, (\w+),", source.read_text(), re.MULTILINE)
         self.assertGreater(len(names), 25)
         # what only a program can give
-        for_programs = {"distance_map", "error_message", "number_of_skipped", "sampling_step",
+        for_programs = {"distance_map", "deviation_map", "error_message", "number_of_skipped", "sampling_step",
                         "extraction_report", "mesh_report", "visitor"}
-        renamed = {"patch_fusion": "fuse"}
+        renamed = {"patch_fusion": "fuse", "field_origin": "field"}
         text = self.extract("--help")
         for name in names:
             if name not in for_programs:
@@ -710,9 +710,9 @@ class Tool_test(Program_test):
                     "out.json", "--minimum-fold", "120")
         for name in ("box.stl", "box.obj"):
             self.refuse(BAD_INPUT, [name, "the mesh is a scan: its vertices are a cloud without distances", "--mesh cad"],
-                        name, "-o", "out.json", "--mesh", "scan")
+                        name, "-o", "out.json", "--mesh", "scan", "--field", "given")
         self.refuse(BAD_INPUT, ["box.ply", "have no property for the distance"], "box.ply", "-o", "out.json", "--mesh",
-                    "scan")
+                    "scan", "--field", "given")
         self.refuse(USAGE_ERROR, ["--use-boundaries", "scan"], "box.stl", "-o", "out.json", "--mesh", "scan",
                     "--use-boundaries")
         # distances that are there count
@@ -769,7 +769,7 @@ class Tool_test(Program_test):
     def test_ply(self):
         self.refuse_text(BAD_INPUT, ["no points"], self.ply(0), "c.ply")
         self.refuse_text(BAD_INPUT, ["distance", "x, y, z, confidence, nx", "--distance-property"],
-                         self.ply(1, ("x", "y", "z", "confidence", "nx"), "1 2 3 4 5\n"), "c.ply")
+                         self.ply(1, ("x", "y", "z", "confidence", "nx"), "1 2 3 4 5\n"), "c.ply", "--field", "given")
         self.refuse_text(BAD_INPUT, ["\"own\"", "x, y, z, distance"], self.ply(1, body="1 2 3 4\n"), "c.ply",
                          "--distance-property", "own")
         self.refuse_text(BAD_INPUT, ["truncated", "1 of 3"], self.ply(3, body="1 2 3 4\n"), "c.ply")
