@@ -217,6 +217,8 @@ struct Recorder : WE::Default_visitor
     unit = r;
   }
 
+  void field_estimated(const WE::Distance_field&) { calls.push_back("field"); } // not of clouds with distances
+
   template <class Skeleton>
   void skeleton_selected(const Skeleton& skeleton)
   {

@@ -185,6 +185,9 @@ struct Is_iterator<T, std::void_t<typename std::iterator_traits<T>::iterator_cat
 /// - `.h5`, `.hdf5`: the same as data sets, with HDF5. Other data sets are not looked at.
 /// - `.off`, also with colours and normals: the vertices of a mesh. They have no distances: use the other overload.
 ///
+/// Clouds without distances are read by `CGAL::IO::read_points()`, and, chunk by chunk and in all of these formats, by
+/// `IO::Distance_cloud_file`.
+///
 /// HDF5 files may hold patches, as files of the regressor DEF do: points B x N x 3, and distances B x N; or B
 /// rows of different lengths, of points (each 3 N numbers) and of distances. All patches are put one after the other,
 /// and where they overlap, points are there more than once: `read_distance_patches()` and
