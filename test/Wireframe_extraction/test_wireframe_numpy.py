@@ -84,6 +84,17 @@ class Numpy_test(Program_test):
         else:
             self.refuse(BAD_INPUT, ["c.npz", "zlib1g-dev"], "c.npz")
 
+    def test_without_distances(self):
+        numpy.save(self.folder / "raw.npy", self.points)
+        numpy.savez(self.folder / "raw.npz", points=self.points)
+        numpy.savez(self.folder / "patches.npz", points=self.points.reshape(10, -1, 3), other=self.distances)
+        results = []
+        for name in ("raw.npy", "raw.npz", "patches.npz"):
+            self.assertIn("estimated from the points", self.run_tool(name, "-o", "raw.json"))
+            results.append((self.folder / "raw.json").read_text())
+        self.assertEqual(results, results[:1] * 3)
+        self.refuse(BAD_INPUT, ["patches.npz", "points, other", "--field"], "patches.npz", "--field", "given")
+
     def test_other_formats(self):
         rows = self.cloud.astype("<f8").tobytes()
         header = ("VERSION 0.7\nFIELDS x y z sharpness\nSIZE 8 8 8 8\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 5000\nHEIGHT 1\n"
@@ -98,7 +109,7 @@ class Numpy_test(Program_test):
         (self.folder / "mesh.off").write_text("OFF\n5000 1 0\n" + lines + "3 0 1 2\n")
         numpy.savez(self.folder / "d.npz", prediction=self.distances)
         self.check("mesh.off", "--distances", "d.npz", "--distances-dataset", "prediction")
-        self.refuse(BAD_INPUT, ["mesh.off", "no distances"], "mesh.off", "--field", "given")
+        self.refuse(BAD_INPUT, ["mesh.off", "no distances"], "mesh.off", "--mesh", "scan", "--field", "given")
         self.refuse(BAD_INPUT, ["d.npz", "prediction", "--distances-dataset"], "mesh.off", "--distances", "d.npz")
 
     def patches(self, count=6):

@@ -3,6 +3,8 @@
 #include "Hdf5_writer.h"
 #include "cloud_file_checks.h"
 
+#include <CGAL/Wireframe_extraction/IO/Distance_cloud_file.h>
+
 #include <cassert>
 #include <chrono>
 #include <cstddef>
@@ -58,6 +60,37 @@ void test_hdf5()
     refuse(file, {"\"item_id\" holds no numbers"}, {"item_id", "", ""});
     refuse(file, {"\"of_model/xyz\" has the shape 4000 x 3,", "\"points\" 10 x 400 x 3", "exactly one distance"},
            {"", "of_model/xyz", ""});
+  }
+}
+
+// points only, and points with distances that are not to be looked at
+void test_without_distances()
+{
+  namespace WE = CGAL::Wireframe_extraction;
+  namespace WP = CGAL::Wireframe_extraction::parameters;
+  typedef WE::Distance_cloud_source::Sample Sample;
+  const Cloud cloud = sample_cloud(4000);
+  for (const bool has_distances : {false, true})
+  {
+    const Test_file file(".h5");
+    {
+      Hdf5_writer writer(file.name);
+      writer.add("points", points_of(cloud), {10, 400, 3});
+      if (has_distances)
+        writer.add("distances", std::vector<double>(4000, -1.), {10, 400});
+    }
+    CGAL::IO::Distance_cloud_file source(
+      file.name, WP::field_origin(has_distances ? WE::Field_origin::ESTIMATED : WE::Field_origin::AUTOMATIC));
+    std::size_t i = 0;
+    assert(source.read([&](const Sample* first, const Sample* beyond) {
+      for (; first != beyond; ++first, ++i)
+        assert(first->x == cloud[i].first.x() && first->y == cloud[i].first.y() && first->z == cloud[i].first.z());
+      return true;
+    }));
+    assert(i == cloud.size() && !source.has_distances() && source.assumption().empty());
+    CGAL::IO::Distance_cloud_file given(file.name);
+    assert(!given.read([](const Sample*, const Sample*) { return true; }));
+    assert(has_distances || given.error_message().find("field_origin") != std::string::npos);
   }
 }
 
@@ -198,6 +231,7 @@ int main()
   const auto before = count_files();
   test_hdf5();
 #ifdef CGAL_WIREFRAME_EXTRACTION_USE_HDF5
+  test_without_distances();
   test_hdf5_rows();
   test_lzf();
   test_bad_hdf5();
