@@ -489,6 +489,9 @@ void test_stage_by_stage()
   assert(are_same(WE::recognize_curve_types(skeleton, splines, np), wireframe));
   assert(are_same(CGAL::extract_wireframe(cloud, np), wireframe));
 
+  // which models the concept, so that it may stand for any visitor
+  assert(are_same(CGAL::extract_wireframe(box().points, WP::visitor(WE::Default_visitor())), wireframe));
+
   // what the user knows better counts
   const Wireframe given = CGAL::extract_wireframe(box().points, WP::noise_level(0.1));
   assert(
