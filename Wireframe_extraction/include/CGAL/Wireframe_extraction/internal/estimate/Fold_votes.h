@@ -18,6 +18,7 @@
 #include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
 #include <CGAL/Wireframe_extraction/internal/estimate/Fold_scales.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -54,6 +55,29 @@ public:
   }
 
   const std::vector<Vector>& feet() const { return m_feet; }
+
+  // How far three of four votes lie from where all agreed that the folds are, at most, up to `smoothing_radius`. It is
+  // small where folds are plain, and large where they are crowded or the points err.
+  double disagreement(const std::vector<Fold_vote>& votes) const
+  {
+    static constexpr double quantile = 0.75;
+    if (votes.empty() || m_feet.empty())
+      return smoothing_radius;
+    const Ball_search search(m_feet);
+    std::vector<double> distances(votes.size(), smoothing_radius);
+    for_each_piece(votes.size(), [&](std::size_t begin, std::size_t end) {
+      std::vector<std::size_t> found;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        search.query(votes[i].foot, smoothing_radius, found);
+        for (std::size_t j : found)
+          distances[i] = (std::min)(distances[i], (m_feet[j] - votes[i].foot).norm());
+      }
+    });
+    const auto place = distances.begin() + std::ptrdiff_t(quantile * double(distances.size() - 1));
+    std::nth_element(distances.begin(), place, distances.end());
+    return *place;
+  }
 
 private:
   // calls keep(found) for what is found around each of `places` among `others`, and keeps those for which it is true

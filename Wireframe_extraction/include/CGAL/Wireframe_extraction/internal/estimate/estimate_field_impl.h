@@ -51,17 +51,17 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool estimate_field(const std::vector<Vector>& 
                                                      const std::function<bool(double)>& proceed,
                                                      Field_estimate& estimate)
 {
-  // Votes of neighbors rest on the same points, so that their errors are not independent: the fields that follow from them
-  // err less, but the stages that follow do best if they take them for regressors'.
-  static constexpr double noise_level = 0.3;
+  // Votes of neighbors rest on the same points, so that their errors are not independent, and their mean errs as they do.
+  static constexpr double least_noise_level = 0.1, most_noise_level = 0.5;
   const Ball_search search(points);
   estimate.point_noise = point_noise(points, search);
   const Fold_scales scales(estimate.point_noise);
-  estimate.noise_level = noise_level;
   Fold_finder finder(points, search, scales, minimum_fold);
   if (!finder.run([&](double share) { return proceed(0.9 * share); }))
     return false;
-  const Fold_votes votes(finder.votes(), scales);
+  const std::vector<Fold_vote> all_votes = finder.votes();
+  const Fold_votes votes(all_votes, scales);
+  estimate.noise_level = (std::min)(most_noise_level, (std::max)(least_noise_level, votes.disagreement(all_votes)));
   const Ball_search feet(votes.feet());
   estimate.distances.resize(points.size());
   estimate.deviations.assign(points.size(), estimate.noise_level);
