@@ -64,7 +64,7 @@ public:
   bool run(const Proceed& proceed)
   {
     return vote_by_heights([&](double share) { return proceed(0.6 * share); })
-      && vote_by_sheets([&](double share) { return proceed(0.6 + 0.4 * share); });
+      && (!m_scales.are_details_shown || vote_by_sheets([&](double share) { return proceed(0.6 + 0.4 * share); }));
   }
 
   std::vector<Fold_vote> votes() const
@@ -82,12 +82,12 @@ private:
     return for_each_piece_or_cancel(
       m_points.size(),
       [&](std::size_t begin, std::size_t end) {
-        Fold_fit fit;
+        Fold_fit fit(m_scales.are_details_shown);
         Fold_ball ball;
         for (std::size_t n = begin; n < end; ++n)
         {
           const std::size_t i = m_order[n];
-          for (int k = m_scales.number_of_balls - 1; k >= 0 && !m_is_smooth[i]; --k)
+          for (int k = Fold_scales::number_of_radii - 1; k >= 0 && !m_is_smooth[i]; --k)
             vote_by_heights(i, k, fit, ball);
         }
       },

@@ -56,10 +56,14 @@ class Fold_fit
   std::array<std::vector<double>, most_columns> m_basis;   // orthonormal columns
   std::array<std::vector<double>, most_columns> m_columns; // as they are
   int m_size = 0, m_number_of_columns = 0;
+  bool m_turns_frames;
   Vector m_a, m_b, m_normal;  // the frame
   Vector m_bisector, m_along; // of the first fold: between the normals of its sheets, and along it
 
 public:
+  // `turns_frames`: whether a fold is fitted in a frame of its own
+  explicit Fold_fit(bool turns_frames = true) : m_turns_frames(turns_frames) {}
+
   // `ball` are the offsets of the points from the place that is looked at.
   // `threshold`: variances of residuals below it leave nothing to explain
   Fold_fit_result fit(const std::vector<Vector>& ball, double radius, double variance, double threshold)
@@ -77,7 +81,9 @@ public:
       return result;
     fit_folds(radius, variance, result);
     // The main plane leans towards the larger sheet, so that the other one is steep. Between both, neither is.
-    for (int n = 0; n < most_frames && result.number_of_folds > 0 && m_normal.dot(m_bisector) < least_cosine; ++n)
+    for (int n = 0;
+         m_turns_frames && n < most_frames && result.number_of_folds > 0 && m_normal.dot(m_bisector) < least_cosine;
+         ++n)
     {
       Fold_fit_result other = result;
       set_frame(ball, m_bisector, cross_product(m_along, m_bisector).normalized());

@@ -28,16 +28,17 @@ struct Fold_scales
   // Surfaces are no quadrics: so much they leave one in a ball of these radii, beside the noise.
   static constexpr double least_deviation = 0.04;
   // The chi square that a fold gains grows with the fourth power of the radius, and falls with the square of the noise: with
-  // this noise, balls of 6 show folds of 45 degrees that balls of 5 do not.
+  // this noise balls are larger by 1.
   static constexpr double typical_noise = 0.25;
-  // from that share of it on the largest balls are used; with less noise they show nothing that smaller ones do not
-  static constexpr double least_share_for_largest = 0.2;
-  static constexpr int number_of_radii = 3;
+  // up to that share of it sheets are fitted, and frames turned: with more noise both show more that is not there than that
+  // is
+  static constexpr double most_share_for_details = 0.4;
+  static constexpr int number_of_radii = 2;
 
   double deviation;                       // standard deviation of the points
-  int number_of_balls;                    // how many of the radii are used
+  bool are_details_shown;                 // whether there is so little noise that small details can be told from it
   double radii[number_of_radii];          // of the balls, from the smallest on
-  double least_evidence[number_of_radii]; // of a fold; the largest balls hold more that is no fold
+  double least_evidence[number_of_radii]; // of a fold
   double strong_margins[number_of_radii]; // a fold is sure whose margin is larger
   double strong_evidence;                 // and whose evidence is
   double vote_radius;                     // a vote needs so many others within it
@@ -50,16 +51,13 @@ struct Fold_scales
   {
     const double share = noise / typical_noise, part = (std::min)(1., share);
     deviation = std::sqrt(noise * noise + least_deviation * least_deviation);
-    number_of_balls = share > least_share_for_largest ? number_of_radii : number_of_radii - 1;
+    are_details_shown = share <= most_share_for_details;
     radii[0] = 3. + share;
     radii[1] = 4. + share;
-    radii[2] = 4. + 2. * share;
     least_evidence[0] = least_evidence[1] = 6. - 3. * part;
-    least_evidence[2] = 8.;
     strong_margins[0] = 10. - 7. * part;
     strong_margins[1] = 15. - 11. * part;
-    strong_margins[2] = 15. - 9. * part;
-    strong_evidence = 6. + 4. * part;
+    strong_evidence = 6.;
     vote_radius = 0.5 + 0.2 * part;
     least_votes = part < 0.5 ? 3 : 4;
     sheet_radius = 3. + share;
