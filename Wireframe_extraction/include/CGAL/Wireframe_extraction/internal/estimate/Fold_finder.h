@@ -64,7 +64,7 @@ public:
   bool run(const Proceed& proceed)
   {
     return vote_by_heights([&](double share) { return proceed(0.6 * share); })
-      && (!m_scales.are_details_shown || vote_by_sheets([&](double share) { return proceed(0.6 + 0.4 * share); }));
+      && vote_by_sheets([&](double share) { return proceed(0.6 + 0.4 * share); });
   }
 
   std::vector<Fold_vote> votes() const
@@ -82,7 +82,7 @@ private:
     return for_each_piece_or_cancel(
       m_points.size(),
       [&](std::size_t begin, std::size_t end) {
-        Fold_fit fit(m_scales.are_details_shown);
+        Fold_fit fit(m_scales.are_frames_turned);
         Fold_ball ball;
         for (std::size_t n = begin; n < end; ++n)
         {

@@ -30,13 +30,12 @@ struct Fold_scales
   // The chi square that a fold gains grows with the fourth power of the radius, and falls with the square of the noise: with
   // this noise balls are larger by 1.
   static constexpr double typical_noise = 0.25;
-  // up to that share of it sheets are fitted, and frames turned: with more noise both show more that is not there than that
-  // is
-  static constexpr double most_share_for_details = 0.4;
+  // Up to that share of it frames are turned: with more noise this shows more folds that are none than others.
+  static constexpr double most_share_to_turn_frames = 0.4;
   static constexpr int number_of_radii = 2;
 
   double deviation;                       // standard deviation of the points
-  bool are_details_shown;                 // whether there is so little noise that small details can be told from it
+  bool are_frames_turned;                 // whether folds are fitted in frames of their own
   double radii[number_of_radii];          // of the balls, from the smallest on
   double least_evidence[number_of_radii]; // of a fold
   double strong_margins[number_of_radii]; // a fold is sure whose margin is larger
@@ -51,7 +50,7 @@ struct Fold_scales
   {
     const double share = noise / typical_noise, part = (std::min)(1., share);
     deviation = std::sqrt(noise * noise + least_deviation * least_deviation);
-    are_details_shown = share <= most_share_for_details;
+    are_frames_turned = share <= most_share_to_turn_frames;
     radii[0] = 3. + share;
     radii[1] = 4. + share;
     least_evidence[0] = least_evidence[1] = 6. - 3. * part;
