@@ -109,7 +109,7 @@ private:
     for (int k = 0; k < result.number_of_folds; ++k)
     {
       const Fold& fold = result.folds[k];
-      if (fold.evidence > least_evidence && fold.angle > 0.75 * m_minimum_fold && fold.foot.norm() < farthest)
+      if (fold.evidence > least_evidence && fold.angle > m_minimum_fold && fold.foot.norm() < farthest)
         m_votes[i].push_back({m_points[i] + fold.foot, is_strong});
     }
   }
@@ -201,6 +201,7 @@ private:
   void collect(const Vector& center, double radius, std::vector<std::size_t>& indices, std::vector<Vector>& ball) const
   {
     m_search.query(center, radius, indices);
+    thin_out(indices, most_in_ball);
     ball.clear();
     for (std::size_t j : indices)
       ball.push_back(m_points[j]);
@@ -215,6 +216,7 @@ private:
   void vote_by_sheets(std::size_t i, const std::vector<Sheet>& sheets, std::vector<std::size_t>& neighbors,
                       std::vector<Vector>& around)
   {
+    static constexpr std::size_t most_neighbors = 64;
     static constexpr double neighborhood = 3.;          // whose sheets are looked at
     static constexpr double same = 0.3;                 // meetings this close are one
     static constexpr std::size_t most_votes = 2;        // of a point: the nearest ones
@@ -224,6 +226,7 @@ private:
     std::vector<Meeting> meetings;
     std::vector<std::size_t> found;
     m_search.query(m_points[i], neighborhood, neighbors);
+    thin_out(neighbors, most_neighbors);
     for (std::size_t j : neighbors)
     {
       if (!sheets[j].is_known || std::abs(sheets[i].offset(m_points[j])) < tolerance

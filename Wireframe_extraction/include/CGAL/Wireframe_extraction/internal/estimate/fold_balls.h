@@ -22,6 +22,20 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
+// Leaves at most so many of what was found in a ball, from all of it: neighbors follow one another in the answers of a
+// search. Where scans overlap, points lie much closer than elsewhere, and each of them would look at all others.
+inline void thin_out(std::vector<std::size_t>& found, std::size_t most)
+{
+  if (found.size() <= most)
+    return;
+  for (std::size_t k = 0; k < most; ++k)
+    found[k] = found[k * found.size() / most];
+  found.resize(most);
+}
+
+// A ball of 6 sampling distances on a plane holds less than a hundred points.
+constexpr std::size_t most_in_ball = 256;
+
 // The points in a ball; it keeps its memory.
 struct Fold_ball
 {
@@ -31,6 +45,7 @@ struct Fold_ball
   void collect(const std::vector<Vector>& points, const Ball_search& search, const Vector& center, double radius)
   {
     search.query(center, radius, indices);
+    thin_out(indices, most_in_ball);
     offsets.clear();
     for (std::size_t j : indices)
       offsets.push_back(points[j] - center);
