@@ -2,6 +2,7 @@
 
 #include <CGAL/Wireframe_extraction/internal/base/Ball_search.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
+#include <CGAL/Wireframe_extraction/internal/base/median.h>
 #include <CGAL/Wireframe_extraction/internal/estimate/Fold_fit.h>
 #include <CGAL/Wireframe_extraction/internal/estimate/Fold_scales.h>
 #include <CGAL/Wireframe_extraction/internal/estimate/Fold_votes.h>
@@ -83,11 +84,10 @@ Points ball(const Points& points, const Vector& center, double radius)
 
 const auto go_on = [](double) { return true; };
 
-double median_of(std::vector<double> values)
+double median_of(const std::vector<double>& values)
 {
   assert(!values.empty());
-  std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
-  return values[values.size() / 2];
+  return median(values);
 }
 
 void test_fold_of_a_height_function()
@@ -168,7 +168,7 @@ void test_sheets_next_to_a_fold()
     {
       const double distance = (q - p).norm();
       if (distance < 3.)
-        around.push_back(q);
+        around.push_back(q - p);
       if (distance < 2.5) // those of the faces, and one that is neither
         planes.push_back({q, normals[q.x() > 0.]});
     }

@@ -31,6 +31,39 @@ struct Principal_axes
 // One function, since the solver takes long to compile.
 Principal_axes principal_axes(const Eigen::Matrix3d& matrix);
 
+// The mean of some points, and the sum of the products of their offsets from it.
+struct Scatter
+{
+  Vector mean = Vector::Zero();
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+};
+
+// of `position(i)` with the weight `weight(i)`, for each i of a range that is not empty
+template <class Range, class Position, class Weight>
+Scatter scatter(const Range& range, const Position& position, const Weight& weight)
+{
+  Scatter result;
+  double total = 0.;
+  for (const auto& i : range)
+  {
+    result.mean += weight(i) * position(i);
+    total += weight(i);
+  }
+  result.mean /= total;
+  for (const auto& i : range)
+  {
+    const Vector offset = position(i) - result.mean;
+    result.matrix += weight(i) * offset * offset.transpose();
+  }
+  return result;
+}
+
+template <class Range, class Position>
+Scatter scatter(const Range& range, const Position& position)
+{
+  return scatter(range, position, [](const auto&) { return 1.; });
+}
+
 } // namespace internal
 } // namespace Wireframe_extraction
 } // namespace CGAL

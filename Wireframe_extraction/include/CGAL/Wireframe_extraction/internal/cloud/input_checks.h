@@ -41,7 +41,6 @@ int dimension(const std::vector<Vector>& positions);
 bool check_dimension(const Surveyed_cloud& cloud, Wireframe_extraction_report& report);
 
 // whether points, distances if they are known, and a sampling distance given by the caller (or 0) have the same unit
-
 bool check_scale(const Surveyed_cloud& cloud, const Cloud_scale& scale, double given,
                  Wireframe_extraction_report& report);
 

@@ -139,20 +139,19 @@ private:
     std::vector<Sheet> sheets(m_points.size());
     for_each_piece(m_points.size(), [&](std::size_t begin, std::size_t end) {
       Sheet_fit fit(m_scales.deviation);
-      std::vector<std::size_t> indices;
-      std::vector<Vector> ball;
+      Fold_ball ball;
       std::vector<Plane_of_points> near;
       for (std::size_t n = begin; n < end; ++n)
       {
         const std::size_t i = m_order[n];
         if (m_is_smooth[i])
           continue;
-        collect(m_points[i], m_scales.plane_reach, indices, ball);
+        find_in_ball(m_search, m_points[i], m_scales.plane_reach, ball.indices);
         near.clear();
-        for (std::size_t j : indices)
+        for (std::size_t j : ball.indices)
           near.push_back(planes[j]);
-        collect(m_points[i], m_scales.sheet_radius, indices, ball);
-        sheets[i] = fit.fit(m_points[i], ball, near);
+        ball.collect(m_points, m_search, m_points[i], m_scales.sheet_radius);
+        sheets[i] = fit.fit(m_points[i], ball.offsets, near);
       }
     });
     return sheets;
@@ -172,36 +171,29 @@ private:
       }
     std::vector<Plane_of_points> planes(m_points.size());
     for_each_piece(m_points.size(), [&](std::size_t begin, std::size_t end) {
-      std::vector<std::size_t> indices;
-      std::vector<Vector> ball;
+      std::vector<std::size_t> ball;
       for (std::size_t n = begin; n < end; ++n)
       {
         const std::size_t i = m_order[n];
         if (!is_wanted[i])
           continue;
-        collect(m_points[i], m_scales.plane_radius, indices, ball);
+        find_in_ball(m_search, m_points[i], m_scales.plane_radius, ball);
         planes[i] = plane_of(ball);
       }
     });
     return planes;
   }
 
-  static Plane_of_points plane_of(const std::vector<Vector>& ball)
+  Plane_of_points plane_of(const std::vector<std::size_t>& ball) const
   {
-    Plane_of_points plane;
-    for (const Vector& p : ball)
-      plane.point += p / double(ball.size());
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    for (const Vector& p : ball)
-      covariance += (p - plane.point) * (p - plane.point).transpose();
-    plane.normal = principal_axes(covariance).axes[0];
-    return plane;
+    const auto position = [&](std::size_t i) -> const Vector& { return m_points[i]; };
+    const Scatter points = scatter(ball, position);
+    return {points.mean, principal_axes(points.matrix).axes[0]};
   }
 
   void collect(const Vector& center, double radius, std::vector<std::size_t>& indices, std::vector<Vector>& ball) const
   {
-    m_search.query(center, radius, indices);
-    thin_out(indices, most_in_ball);
+    find_in_ball(m_search, center, radius, indices);
     ball.clear();
     for (std::size_t j : indices)
       ball.push_back(m_points[j]);

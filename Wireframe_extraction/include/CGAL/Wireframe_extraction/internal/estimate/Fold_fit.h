@@ -16,9 +16,10 @@
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
 #include <CGAL/Wireframe_extraction/internal/estimate/Fold.h>
-#include <CGAL/Wireframe_extraction/internal/estimate/Sheet.h>
 
 #include <CGAL/number_type_config.h>
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -33,7 +34,6 @@ namespace internal {
 
 struct Fold_fit_result
 {
-  double residual = 0.;        // of one sheet, root mean square
   double folded_residual = 0.; // with the folds
   bool is_smooth = false;      // whether one sheet leaves nothing to explain
   int number_of_folds = 0;
@@ -75,7 +75,6 @@ public:
     set_frame_by_main_axes(ball);
     fit_quadric();
     const double squares = sum_of_squares(m_residuals);
-    result.residual = std::sqrt(squares / (m_size - quadric_size));
     result.is_smooth = squares / (m_size - quadric_size) < threshold;
     if (result.is_smooth)
       return result;
@@ -86,7 +85,7 @@ public:
          ++n)
     {
       Fold_fit_result other = result;
-      set_frame(ball, m_bisector, cross_product(m_along, m_bisector).normalized());
+      set_frame(ball, m_bisector, m_along.cross(m_bisector).normalized());
       fit_quadric();
       fit_folds(radius, variance, other);
       if (!(other.number_of_folds > 0 && other.folded_residual < result.folded_residual))
@@ -144,17 +143,8 @@ private:
 
   void set_frame_by_main_axes(const std::vector<Vector>& ball)
   {
-    Vector mean = Vector::Zero();
-    for (const Vector& p : ball)
-      mean += p;
-    mean /= m_size;
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    for (const Vector& p : ball)
-    {
-      const Vector d = p - mean;
-      covariance += d * d.transpose();
-    }
-    const Principal_axes axes = principal_axes(covariance);
+    const auto position = [](const Vector& p) -> const Vector& { return p; };
+    const Principal_axes axes = principal_axes(scatter(ball, position).matrix);
     set_frame(ball, axes.axes[0], axes.axes[2]);
   }
 
@@ -162,7 +152,7 @@ private:
   {
     m_normal = normal;
     m_a = first;
-    m_b = cross_product(normal, first);
+    m_b = normal.cross(first);
     for (std::vector<double>* v : {&m_x, &m_y, &m_z, &m_hinge, &m_residuals})
       v->resize(m_size);
     for (std::vector<double>& v : m_basis)
@@ -193,7 +183,7 @@ private:
 
   double sum_of_squares(const std::vector<double>& v) const { return dot(v, v, m_size); }
 
-  // orthogonalizes a column, and takes it out of `values`
+  // takes out of a column what the first columns of the basis have of it
   void orthogonalize(std::vector<double>& column, int number_of_columns) const
   {
     for (int round = 0; round < 2; ++round)
@@ -374,7 +364,7 @@ private:
         continue;
       const Vector sum = first.normalized() + second.normalized();
       m_bisector = (sum.x() * m_a + sum.y() * m_b + sum.z() * m_normal).normalized();
-      const Vector along = cross_product(first, second);
+      const Vector along = first.cross(second);
       m_along = along.x() * m_a + along.y() * m_b + along.z() * m_normal;
     }
   }

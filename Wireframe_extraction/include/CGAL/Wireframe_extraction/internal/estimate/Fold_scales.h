@@ -12,8 +12,6 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_ESTIMATE_FOLD_SCALES_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_ESTIMATE_FOLD_SCALES_H
 
-#include <CGAL/Wireframe_extraction/internal/base/error_rates.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -34,13 +32,13 @@ struct Fold_scales
   static constexpr double most_share_to_turn_frames = 0.4;
   static constexpr int number_of_radii = 2;
 
-  double deviation;                       // standard deviation of the points
-  bool are_frames_turned;                 // whether folds are fitted in frames of their own
-  double radii[number_of_radii];          // of the balls, from the smallest on
-  double least_evidence[number_of_radii]; // of a fold
-  double strong_margins[number_of_radii]; // a fold is sure whose margin is larger
-  double strong_evidence;                 // and whose evidence is
-  double vote_radius;                     // a vote needs so many others within it
+  double deviation;                             // standard deviation of the points
+  bool are_frames_turned;                       // whether folds are fitted in frames of their own
+  double radii[number_of_radii];                // of the balls, from the smallest on
+  double least_evidence[number_of_radii];       // of a fold
+  double strong_margins[number_of_radii];       // a fold is sure whose margin is larger
+  static constexpr double strong_evidence = 6.; // and whose evidence is
+  double vote_radius;                           // a vote needs so many others within it
   std::size_t least_votes;
   double sheet_radius;                     // of the balls in which sheets are fitted
   double plane_radius, plane_reach;        // of those in which planes are, and how far away planes are taken from
@@ -56,7 +54,6 @@ struct Fold_scales
     least_evidence[0] = least_evidence[1] = 6. - 3. * part;
     strong_margins[0] = 10. - 7. * part;
     strong_margins[1] = 15. - 11. * part;
-    strong_evidence = 6.;
     vote_radius = 0.5 + 0.2 * part;
     least_votes = part < 0.5 ? 3 : 4;
     sheet_radius = 3. + share;

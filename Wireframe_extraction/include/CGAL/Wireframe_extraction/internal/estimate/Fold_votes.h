@@ -44,6 +44,7 @@ class Fold_votes
   static constexpr int smoothing_rounds = 2;
 
   std::vector<Vector> m_feet;
+  Ball_search m_search; // among them
 
 public:
   Fold_votes(const std::vector<Fold_vote>& votes, const Fold_scales& scales)
@@ -52,9 +53,20 @@ public:
     keep_confirmed(scales);
     for (int round = 0; round < smoothing_rounds; ++round)
       smooth();
+    m_search = Ball_search(m_feet);
   }
 
   const std::vector<Vector>& feet() const { return m_feet; }
+
+  // the distance of a place to the nearest foot, or `most` if that is less; `found` is memory for the search
+  double distance(const Vector& place, double most, std::vector<std::size_t>& found) const
+  {
+    m_search.query(place, most, found);
+    double nearest = most;
+    for (std::size_t j : found)
+      nearest = (std::min)(nearest, (m_feet[j] - place).norm());
+    return nearest;
+  }
 
   // How far three of four votes lie from where all agreed that the folds are, at most, up to `smoothing_radius`. It is
   // small where folds are plain, and large where they are crowded or the points err.
@@ -63,16 +75,11 @@ public:
     static constexpr double quantile = 0.75;
     if (votes.empty() || m_feet.empty())
       return smoothing_radius;
-    const Ball_search search(m_feet);
-    std::vector<double> distances(votes.size(), smoothing_radius);
+    std::vector<double> distances(votes.size());
     for_each_piece(votes.size(), [&](std::size_t begin, std::size_t end) {
       std::vector<std::size_t> found;
       for (std::size_t i = begin; i < end; ++i)
-      {
-        search.query(votes[i].foot, smoothing_radius, found);
-        for (std::size_t j : found)
-          distances[i] = (std::min)(distances[i], (m_feet[j] - votes[i].foot).norm());
-      }
+        distances[i] = distance(votes[i].foot, smoothing_radius, found);
     });
     const auto place = distances.begin() + std::ptrdiff_t(quantile * double(distances.size() - 1));
     std::nth_element(distances.begin(), place, distances.end());
@@ -137,22 +144,10 @@ private:
     const auto weight = [&](std::size_t j) {
       return 1. - (m_feet[j] - foot).squaredNorm() / (smoothing_radius * smoothing_radius);
     };
-    Vector mean = Vector::Zero();
-    double total = 0.;
-    for (std::size_t j : found)
-    {
-      mean += weight(j) * m_feet[j];
-      total += weight(j);
-    }
-    mean /= total;
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    for (std::size_t j : found)
-    {
-      const Vector d = m_feet[j] - mean;
-      covariance += weight(j) * d * d.transpose();
-    }
-    const Vector along = principal_axes(covariance).axes[2];
-    const Vector move = mean - foot;
+    const auto position = [&](std::size_t j) -> const Vector& { return m_feet[j]; };
+    const Scatter around = scatter(found, position, weight);
+    const Vector along = principal_axes(around.matrix).axes[2];
+    const Vector move = around.mean - foot;
     return foot + move - move.dot(along) * along;
   }
 };

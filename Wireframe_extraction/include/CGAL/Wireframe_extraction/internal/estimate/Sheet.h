@@ -14,6 +14,8 @@
 
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 
+#include <Eigen/Geometry>
+
 #include <array>
 #include <cmath>
 
@@ -27,11 +29,6 @@ inline Vector orthogonal_to(const Vector& normal)
   static constexpr double largest_component = 0.6; // one of three is smaller
   const Vector axis = std::abs(normal.x()) < largest_component ? Vector(1., 0., 0.) : Vector(0., 1., 0.);
   return (axis - axis.dot(normal) * normal).normalized();
-}
-
-inline Vector cross_product(const Vector& a, const Vector& b)
-{
-  return Vector(a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x());
 }
 
 // A piece of a smooth surface: a quadratic height over a plane.
@@ -50,7 +47,7 @@ struct Sheet
     origin = through;
     normal = unit_normal;
     first = orthogonal_to(normal);
-    second = cross_product(normal, first);
+    second = normal.cross(first);
     coefficients.fill(0.);
   }
 

@@ -49,7 +49,6 @@ class Sheet_fit
   static constexpr double relative_ridge = 1e-9;
 
   double m_deviation;
-  std::vector<Vector> m_offsets; // of the points from the center
 
 public:
   // `deviation`: standard deviation of the points
@@ -58,12 +57,9 @@ public:
   // points farther from a sheet are not on it
   double tolerance() const { return exceeded_by_one_in_370 * m_deviation; }
 
-  // `ball` are the points around the center, and the center itself; `planes` those that may be tangent planes there
-  Sheet fit(const Vector& center, const std::vector<Vector>& ball, const std::vector<Plane_of_points>& planes)
+  // `offsets` are those of the points around the center, and of the center itself; `planes` may be tangent planes there
+  Sheet fit(const Vector& center, const std::vector<Vector>& offsets, const std::vector<Plane_of_points>& planes) const
   {
-    m_offsets.clear();
-    for (const Vector& p : ball)
-      m_offsets.push_back(p - center);
     Sheet sheet;
     double best = 0.;
     for (const Plane_of_points& plane : planes)
@@ -71,7 +67,7 @@ public:
       const double height = plane.normal.dot(center - plane.point);
       if (std::abs(height) > tolerance())
         continue;
-      const double score = this->score(plane.normal, height);
+      const double score = this->score(offsets, plane.normal, height);
       if (score <= best)
         continue;
       best = score;
@@ -81,20 +77,20 @@ public:
       return sheet;
     const Vector shift = center - sheet.origin;
     for (double reach : reaches)
-      if (!fit_quadric(reach * m_deviation, shift, sheet))
+      if (!fit_quadric(offsets, reach * m_deviation, shift, sheet))
         return sheet;
     const auto lies_on_it = [&](const Vector& d) { return std::abs(sheet.offset(center + d)) < tolerance(); };
     sheet.is_known =
-      std::count_if(m_offsets.begin(), m_offsets.end(), lies_on_it) >= least_points && lies_on_it(Vector::Zero());
+      std::count_if(offsets.begin(), offsets.end(), lies_on_it) >= least_points && lies_on_it(Vector::Zero());
     return sheet;
   }
 
 private:
   // how many points lie on a plane through the center, more or less
-  double score(const Vector& normal, double height) const
+  double score(const std::vector<Vector>& offsets, const Vector& normal, double height) const
   {
     double sum = 0.;
-    for (const Vector& d : m_offsets)
+    for (const Vector& d : offsets)
     {
       const double square = d.squaredNorm();
       const double ratio = (d.dot(normal) + height) / (tolerance() + bending * square);
@@ -104,11 +100,11 @@ private:
     return sum;
   }
 
-  bool fit_quadric(double reach, const Vector& shift, Sheet& sheet) const
+  bool fit_quadric(const std::vector<Vector>& offsets, double reach, const Vector& shift, Sheet& sheet) const
   {
     static constexpr int size = Sheet::size;
     double matrix[size * size] = {}, column[size] = {}, total = 0.;
-    for (const Vector& from_center : m_offsets)
+    for (const Vector& from_center : offsets)
     {
       const Vector d = from_center + shift;
       const double ratio = sheet.offset(sheet.origin + d) / reach;

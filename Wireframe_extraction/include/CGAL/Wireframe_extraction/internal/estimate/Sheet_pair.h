@@ -54,7 +54,7 @@ public:
     for (int step = 0; step < number_of_steps; ++step)
     {
       const double fa = m_a.offset(m_foot, &m_normal_of_a), fb = m_b.offset(m_foot, &m_normal_of_b);
-      m_direction = cross_product(m_normal_of_a, m_normal_of_b);
+      m_direction = m_normal_of_a.cross(m_normal_of_b);
       const double sine = m_direction.norm();
       if (sine < least_sine)
         return false;
@@ -119,7 +119,7 @@ private:
   int collect(const std::vector<Vector>& around, const Vector& normal, double& squares) const
   {
     static constexpr double scale = 3.; // so that monomials are no larger than 1
-    const Vector across = cross_product(m_direction, normal).normalized();
+    const Vector across = m_direction.cross(normal).normalized();
     m_rows.clear();
     squares = 0.;
     for (const Vector& p : around)

@@ -30,21 +30,17 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// the distance to the nearest of some places, truncated
-inline double truncated_distance(const Vector& point, const std::vector<Vector>& places, const Ball_search& search,
-                                 std::vector<std::size_t>& found)
+// the distance to the nearest fold, truncated
+inline double truncated_distance(const Vector& point, const Fold_votes& votes, std::vector<std::size_t>& found)
 {
-  // most points are near a place, or far from all: then a small ball, or none, tells
-  for (double radius : {1., 2., Field_estimate::truncation})
+  // most points are near a fold, or far from all: then a small ball, or none, tells
+  for (double radius : {1., 2.})
   {
-    search.query(point, radius, found);
-    double nearest = radius;
-    for (std::size_t j : found)
-      nearest = (std::min)(nearest, (places[j] - point).norm());
-    if (!found.empty())
-      return nearest;
+    const double distance = votes.distance(point, radius, found);
+    if (distance < radius)
+      return distance;
   }
-  return Field_estimate::truncation;
+  return votes.distance(point, Field_estimate::truncation, found);
 }
 
 CGAL_WIREFRAME_EXTRACTION_INLINE bool estimate_field(const std::vector<Vector>& points, double minimum_fold,
@@ -62,7 +58,6 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool estimate_field(const std::vector<Vector>& 
   const std::vector<Fold_vote> all_votes = finder.votes();
   const Fold_votes votes(all_votes, scales);
   estimate.noise_level = (std::min)(most_noise_level, (std::max)(least_noise_level, votes.disagreement(all_votes)));
-  const Ball_search feet(votes.feet());
   estimate.distances.resize(points.size());
   estimate.deviations.assign(points.size(), estimate.noise_level);
   return for_each_piece_or_cancel(
@@ -70,7 +65,7 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool estimate_field(const std::vector<Vector>& 
     [&](std::size_t begin, std::size_t end) {
       std::vector<std::size_t> found;
       for (std::size_t i = begin; i < end; ++i)
-        estimate.distances[i] = truncated_distance(points[i], votes.feet(), feet, found);
+        estimate.distances[i] = truncated_distance(points[i], votes, found);
     },
     [&](double share) { return proceed(0.9 + 0.1 * share); });
 }

@@ -33,8 +33,13 @@ inline void thin_out(std::vector<std::size_t>& found, std::size_t most)
   found.resize(most);
 }
 
-// A ball of 6 sampling distances on a plane holds less than a hundred points.
-constexpr std::size_t most_in_ball = 256;
+inline void find_in_ball(const Ball_search& search, const Vector& center, double radius,
+                         std::vector<std::size_t>& found)
+{
+  static constexpr std::size_t most = 256; // a ball of 6 sampling distances on a plane holds less than a hundred points
+  search.query(center, radius, found);
+  thin_out(found, most);
+}
 
 // The points in a ball; it keeps its memory.
 struct Fold_ball
@@ -44,8 +49,7 @@ struct Fold_ball
 
   void collect(const std::vector<Vector>& points, const Ball_search& search, const Vector& center, double radius)
   {
-    search.query(center, radius, indices);
-    thin_out(indices, most_in_ball);
+    find_in_ball(search, center, radius, indices);
     offsets.clear();
     for (std::size_t j : indices)
       offsets.push_back(points[j] - center);

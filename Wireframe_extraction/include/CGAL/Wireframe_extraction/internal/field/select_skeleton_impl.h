@@ -15,6 +15,7 @@
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/cell_key.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Cloud_scale.h>
 #include <CGAL/Wireframe_extraction/internal/field/complete_band.h>
 #include <CGAL/Wireframe_extraction/internal/field/select_skeleton.h>
 
@@ -58,9 +59,6 @@ public:
 // How far around the skeleton the surface is looked at, in radii of fits: a crease that is traced to where the field does
 // not see it leaves the skeleton, and the ball of its fit reaches one radius farther.
 constexpr double reach_of_surroundings = 2.;
-
-// Positions farther than that from the features belong to no shape: scanners write such points where they saw nothing.
-constexpr double farthest_in_units = 1e9;
 
 // Moves the points of a band into local coordinates, whose origin is their mean. Returns how many were left out since
 // they are too far away.

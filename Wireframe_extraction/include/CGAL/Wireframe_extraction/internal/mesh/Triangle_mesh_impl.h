@@ -13,6 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_MESH_TRIANGLE_MESH_IMPL_H
 
 #include <CGAL/Wireframe_extraction/internal/base/cell_key.h>
+#include <CGAL/Wireframe_extraction/internal/base/median.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 #include <CGAL/Wireframe_extraction/internal/mesh/Triangle_mesh.h>
 #include <CGAL/Wireframe_extraction/internal/mesh/triangulate_polygon.h>
@@ -261,8 +262,7 @@ private:
         vertices.push_back(edge.source);
         vertices.push_back(edge.target);
       }
-      std::nth_element(lengths.begin(), lengths.begin() + lengths.size() / 2, lengths.end());
-      m_cell = (std::max)(lengths[lengths.size() / 2], 1e-4 * mesh.diagonal);
+      m_cell = (std::max)(median(lengths), 1e-4 * mesh.diagonal);
       std::sort(vertices.begin(), vertices.end());
       vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
       for (std::uint32_t v : vertices)

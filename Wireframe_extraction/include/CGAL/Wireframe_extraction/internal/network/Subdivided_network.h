@@ -194,13 +194,8 @@ private:
 
   std::vector<std::size_t> extremes_along_main_axis(const std::vector<std::size_t>& cluster) const
   {
-    Vector mean = Vector::Zero();
-    for (std::size_t i : cluster)
-      mean += m_band.points[i] / double(cluster.size());
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    for (std::size_t i : cluster)
-      covariance += (m_band.points[i] - mean) * (m_band.points[i] - mean).transpose();
-    const Vector axis = principal_axes(covariance).axes[2];
+    const auto position = [&](std::size_t i) -> const Vector& { return m_band.points[i]; };
+    const Vector axis = principal_axes(scatter(cluster, position).matrix).axes[2];
     std::size_t low = 0, high = 0;
     for (std::size_t k = 1; k < cluster.size(); ++k)
     {

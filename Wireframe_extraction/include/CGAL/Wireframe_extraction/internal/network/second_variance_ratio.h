@@ -15,8 +15,6 @@
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
 
-#include <Eigen/Core>
-
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -31,17 +29,8 @@ inline double second_variance_ratio(const std::vector<Vector>& points, const std
 {
   if (ball.size() < 3)
     return 0.;
-  Vector center = Vector::Zero();
-  for (std::size_t i : ball)
-    center += points[i];
-  center /= double(ball.size());
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for (std::size_t i : ball)
-  {
-    const Vector d = points[i] - center;
-    covariance += d * d.transpose();
-  }
-  const Vector variances = principal_axes(covariance).values;
+  const auto position = [&](std::size_t i) -> const Vector& { return points[i]; };
+  const Vector variances = principal_axes(scatter(ball, position).matrix).values;
   if (variances[0] == variances[2])
     return 1. / 3.;
   const double l2_by_l3 = variances[1] / variances[2];

@@ -16,6 +16,7 @@
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Cloud_scale.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/estimate/estimate_field.h>
 
@@ -35,9 +36,6 @@ namespace internal {
 // The points of a cloud as the estimate takes them: each position once, in an order of their own, in sampling distances.
 class Points_to_estimate
 {
-  // Positions farther than that from the middle belong to no shape, as for `select_skeleton()`.
-  static constexpr double farthest_in_units = 1e9;
-
   std::vector<Vector> m_points;
   std::vector<std::size_t> m_order, m_place; // of the positions: sorted, and where each of these is among the points
 
