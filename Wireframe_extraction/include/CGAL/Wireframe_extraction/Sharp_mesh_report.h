@@ -30,7 +30,7 @@ struct Sharp_mesh_report
   std::size_t number_of_sharp_edges = 0;        ///< edges of the mesh
   std::size_t number_of_sharp_curves = 0;       ///< polylines of sharp edges, from corner to corner, or closed
   std::size_t number_of_corners = 0;            ///< vertices where more than two sharp edges meet
-  std::size_t number_of_loose_ends = 0;         ///< vertices where one sharp edge ends, or two meet at a sharp angle
+  std::size_t number_of_loose_ends = 0;         ///< inner vertices where one sharp edge ends, or two meet at an angle
   std::size_t number_of_facet_edges = 0;        ///< folded edges that belong to the facets of a curved surface
   std::size_t number_of_boundary_edges = 0;     ///< edges of one face only
   std::size_t number_of_non_manifold_edges = 0; ///< edges of more than two faces

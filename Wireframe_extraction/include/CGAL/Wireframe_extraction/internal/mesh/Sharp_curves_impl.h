@@ -32,8 +32,8 @@ namespace internal {
 class Sharp_curve_finder
 {
 public:
-  Sharp_curve_finder(const Triangle_mesh& mesh, const std::vector<std::uint32_t>& sharp_edges)
-    : m_mesh(mesh), m_edges(sharp_edges)
+  Sharp_curve_finder(const Triangle_mesh& mesh, const std::vector<std::uint32_t>& sharp_edges, double largest_turn)
+    : m_mesh(mesh), m_edges(sharp_edges), m_largest_turn(largest_turn)
   {
     for (std::uint32_t i : sharp_edges)
       for (std::uint32_t v : {mesh.edges[i].source, mesh.edges[i].target})
@@ -51,9 +51,10 @@ public:
     {
       const std::vector<std::uint32_t>& edges = vertex.second;
       result.number_of_corners += edges.size() > 2 ? 1 : 0;
-      const bool is_end = edges.size() == 1 && m_is_on_boundary.count(vertex.first) == 0;
-      const bool is_zigzag = edges.size() == 2 && turn(vertex.first, edges) > largest_turn;
-      result.number_of_loose_ends += is_end || is_zigzag ? 1 : 0;
+      // at the boundary, curves may end, and it may have corners of its own
+      const bool is_within = m_is_on_boundary.count(vertex.first) == 0;
+      const bool is_loose = edges.size() == 1 || (edges.size() == 2 && turns(vertex.first, edges));
+      result.number_of_loose_ends += is_within && is_loose ? 1 : 0;
     }
     for (std::uint32_t first : m_edges)
       if (m_is_done.insert(first).second)
@@ -65,20 +66,17 @@ public:
   }
 
 private:
-  static constexpr double smooth_turn = 40.;  // degrees: polylines of coarse meshes turn by no more
-  static constexpr double largest_turn = 50.; // degrees: more is no polyline of a curve, but a zigzag
-
   std::uint32_t other_end(std::uint32_t edge, std::uint32_t v) const
   {
     return m_mesh.edges[edge].source == v ? m_mesh.edges[edge].target : m_mesh.edges[edge].source;
   }
 
-  // by which two edges turn at their vertex, degrees
-  double turn(std::uint32_t v, const std::vector<std::uint32_t>& edges) const
+  // whether two edges meet at an angle, instead of being chords of one curve
+  bool turns(std::uint32_t v, const std::vector<std::uint32_t>& edges) const
   {
     const Vector in = (m_mesh.points[v] - m_mesh.points[other_end(edges[0], v)]).normalized();
     const Vector out = (m_mesh.points[other_end(edges[1], v)] - m_mesh.points[v]).normalized();
-    return std::acos((std::max)(-1., (std::min)(1., in.dot(out)))) * 180. / CGAL_PI;
+    return std::acos((std::max)(-1., (std::min)(1., in.dot(out)))) * 180. / CGAL_PI > m_largest_turn;
   }
 
   double length(const std::vector<std::uint32_t>& polyline) const
@@ -105,7 +103,7 @@ private:
     for (;;)
     {
       const std::vector<std::uint32_t>& edges = m_around[v];
-      if (edges.size() != 2 || turn(v, edges) > smooth_turn)
+      if (edges.size() != 2 || turns(v, edges))
         return result;
       edge = edges[0] == edge ? edges[1] : edges[0];
       if (!m_is_done.insert(edge).second)
@@ -117,14 +115,16 @@ private:
 
   const Triangle_mesh& m_mesh;
   const std::vector<std::uint32_t>& m_edges;
+  const double m_largest_turn;                                            // degrees
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> m_around; // edges at vertices
   std::unordered_set<std::uint32_t> m_is_on_boundary, m_is_done;
 };
 
 CGAL_WIREFRAME_EXTRACTION_INLINE Sharp_curves find_sharp_curves(const Triangle_mesh& mesh,
-                                                                const std::vector<std::uint32_t>& sharp_edges)
+                                                                const std::vector<std::uint32_t>& sharp_edges,
+                                                                double largest_turn)
 {
-  return Sharp_curve_finder(mesh, sharp_edges).find();
+  return Sharp_curve_finder(mesh, sharp_edges, largest_turn).find();
 }
 
 } // namespace internal

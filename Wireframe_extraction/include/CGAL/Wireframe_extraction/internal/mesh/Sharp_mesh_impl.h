@@ -45,7 +45,7 @@ static constexpr double mesh_sample_density = 0.62;
 // ---- what a mesh is ----
 
 // Whether the sharp edges of a mesh are those of a scan: they follow the triangles that happened to be there, thus break
-// off, fork, and zigzag. Sharp edges of a shape form chains. (The thresholds lie in the gaps between what was measured:
+// off, fork, and zigzag. Sharp edges of a shape form chains. Boundaries do not tell, whether they are sharp or not. (The thresholds lie in the gaps between what was measured:
 // 0.57 and 0.64 of chains per sharp edge, 0 and 0.07 of loose ends, 0.2 and 0.8 of rough edges.)
 inline bool is_scan(const Sharp_mesh& mesh)
 {
@@ -53,9 +53,9 @@ inline bool is_scan(const Sharp_mesh& mesh)
   static constexpr double loose = 0.04; // loose ends per vertex of sharp edges, more in scans
   static constexpr double rough = 0.5;  // of the other edges that are folded, more in scans
   static constexpr double flat = 2.;    // degrees
-  const double edges = static_cast<double>(mesh.sharp.clear_edges.size());
-  const Sharp_curves curves = find_sharp_curves(mesh.mesh, mesh.sharp.clear_edges);
-  if (static_cast<double>(curves.lengths.size()) < broken * edges || mesh.sharp.clear_edges.empty())
+  const double edges = static_cast<double>(mesh.sharp.folded_edges.size());
+  const Sharp_curves curves = find_sharp_curves(mesh.mesh, mesh.sharp.folded_edges, mesh.sharp.largest_turn);
+  if (static_cast<double>(curves.lengths.size()) < broken * edges || mesh.sharp.folded_edges.empty())
     return false;
   std::size_t number_of_rough = 0;
   for (std::size_t i = 0; i < mesh.mesh.edges.size(); ++i)
@@ -231,7 +231,7 @@ CGAL_WIREFRAME_EXTRACTION_INLINE std::string make_sharp_mesh(const Polygon_soup&
   sharp_options.resolution =
     resolved * (r > 0. ? r : sampling_distance_for(area, static_cast<double>(options.maximum_number_of_points)));
   result.sharp = find_sharp_edges(result.mesh, sharp_options);
-  result.curves = find_sharp_curves(result.mesh, result.sharp.edges);
+  result.curves = find_sharp_curves(result.mesh, result.sharp.edges, result.sharp.largest_turn);
   result.kind = is_scan(result) ? Mesh_kind::SCAN : Mesh_kind::CAD;
   return std::string();
 }

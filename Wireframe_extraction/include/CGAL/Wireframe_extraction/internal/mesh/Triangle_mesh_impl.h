@@ -87,18 +87,26 @@ private:
     CGAL::Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup(points, polygons);
     for (const Point& p : points)
       m_mesh.points.emplace_back(p.x(), p.y(), p.z());
-    Vector low = m_mesh.points.front(), high = low;
+    std::vector<Triangle_mesh::Triangle> triangles;
     for (const std::vector<std::size_t>& polygon : polygons)
-      for (std::size_t v : polygon)
+      triangulate_polygon(m_mesh.points, polygon, triangles);
+    add_once(triangles);
+    measure_diagonal();
+  }
+
+  // of what has an area: points may be there without a triangle, anywhere
+  void measure_diagonal()
+  {
+    if (m_mesh.triangles.empty())
+      return;
+    Vector low = m_mesh.points[m_mesh.triangles.front()[0]], high = low;
+    for (const Triangle_mesh::Triangle& triangle : m_mesh.triangles)
+      for (std::uint32_t v : triangle)
       {
         low = low.cwiseMin(m_mesh.points[v]);
         high = high.cwiseMax(m_mesh.points[v]);
       }
     m_mesh.diagonal = (high - low).norm();
-    std::vector<Triangle_mesh::Triangle> triangles;
-    for (const std::vector<std::size_t>& polygon : polygons)
-      triangulate_polygon(m_mesh.points, polygon, triangles);
-    add_once(triangles);
   }
 
   // leaves out what has no area, and all but one of those with the same vertices

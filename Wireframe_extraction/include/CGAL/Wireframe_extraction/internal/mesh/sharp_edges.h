@@ -34,12 +34,13 @@ struct Sharp_edge_options
 
 struct Sharp_edges
 {
-  std::vector<std::uint32_t> edges;       // of the mesh, rising
-  std::vector<std::uint32_t> clear_edges; // without those along which a curve fades
+  std::vector<std::uint32_t> edges;        // of the mesh, rising
+  std::vector<std::uint32_t> folded_edges; // without those along which a curve fades, and without boundaries
   std::vector<double> folds;       // of all edges of the mesh, degrees; positive on the side of the normals' tips; 0 of
                                    // edges that have not two faces
   std::vector<bool> is_facet_edge; // of all edges: folded as facets of a curved surface are
   double minimum_fold = 20.;       // degrees, as of the options
+  double largest_turn = 50.;       // degrees, by which the chords of a curve turn
   std::size_t number_of_facet_edges = 0; // larger than the minimum fold
   std::size_t number_of_boundary_edges = 0, number_of_non_manifold_edges = 0;
 };

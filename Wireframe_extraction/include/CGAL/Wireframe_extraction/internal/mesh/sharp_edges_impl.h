@@ -45,14 +45,15 @@ public:
   Sharp_edges find()
   {
     m_result.minimum_fold = m_options.minimum_fold;
+    m_result.largest_turn = (std::max)(usual_turn, m_options.maximum_facet_fold);
     measure_folds();
     mark_facet_edges();
     m_is_sharp.resize(m_mesh.edges.size());
     for (std::size_t i = 0; i < m_mesh.edges.size(); ++i)
     {
       m_is_sharp[i] = is_sharp(i);
-      if (m_is_sharp[i])
-        m_result.clear_edges.push_back(static_cast<std::uint32_t>(i));
+      if (m_is_sharp[i] && m_mesh.edges[i].number_of_faces > 1)
+        m_result.folded_edges.push_back(static_cast<std::uint32_t>(i));
     }
     follow_fading_edges();
     for (std::size_t i = 0; i < m_mesh.edges.size(); ++i)
@@ -75,8 +76,10 @@ private:
   static constexpr double largest_of_slivers = 70.;
   // degrees: facets of smaller folds are as good as the surface that they approximate
   static constexpr double least_facet_fold = 3.;
-  // the part of the minimum fold down to which a sharp curve is followed, and degrees by which it turns at most
-  static constexpr double faded = 0.3, largest_turn = 40.;
+  static constexpr double faded = 0.3; // the part of the minimum fold down to which a sharp curve is followed
+  // Degrees, by which the chords of a curve may always turn. A rim turns as the facets beside it do, so that it is as round as
+  // they are only if it may turn by as much.
+  static constexpr double usual_turn = 50.;
   static constexpr int most_steps = 64;                                // triangles that are crossed
   static constexpr std::array<double, 3> starts = {{0.5, 0.25, 0.75}}; // on the edge, from where one looks across
 
@@ -345,7 +348,7 @@ private:
     {
       const auto candidates = faded_at.find(v);
       std::uint32_t best = Triangle_mesh::none;
-      double straightest = std::cos(largest_turn * CGAL_PI / 180.);
+      double straightest = std::cos(m_result.largest_turn * CGAL_PI / 180.);
       if (candidates != faded_at.end())
         for (std::uint32_t i : candidates->second)
         {
