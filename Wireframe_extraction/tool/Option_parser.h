@@ -45,13 +45,13 @@ public:
     return result;
   }
 
-  // The library speaks of its named parameters, the user of the tool knows them as options.
+  // The library speaks of its named parameters, the user of the tool knows them as options, by the first of their names.
   std::string with_option_names(std::string text) const
   {
     for (const CLI::Option* const option : m_app.get_options())
       for (const std::string& name : option->get_lnames())
         if (name.find('-') != std::string::npos)
-          replace_words(text, with_underscores(name), "--" + name);
+          replace_words(text, with_underscores(name), "--" + option->get_lnames().front());
     return text;
   }
 

@@ -37,6 +37,7 @@ void refuse_name(const std::string& name, const Words& words, const std::string&
     parameters::error_message(&error).distance_property(distance_property).number_of_skipped(&number_of_skipped)));
   assert(cloud == before && number_of_skipped == 0);
   check_words(error, words);
+  assert(error.find("field_origin") == std::string::npos); // which is no parameter of this function
   // nobody has to ask for the message
   assert(!CGAL::IO::read_distance_cloud(name, cloud, parameters::distance_property(distance_property)));
 }
@@ -62,6 +63,8 @@ void refuse_pair(const std::string& suffix, const std::string& content, const st
 
 void test_files()
 {
+  for (const char* const suffix : {".ply", ".xyz", ".csv", ".pcd", ".npy", ".off"})
+    refuse(suffix, "\x1f\x8b\x08 and more", {"compressed by gzip", "gunzip"});
   refuse_name("io_bad_none.ply", {"io_bad_none.ply", "cannot be opened", "No such file", "check its name"});
   refuse_name("io_bad_none/x.xyz", {"io_bad_none/x.xyz", "cannot be opened"});
   refuse_name("", {"extension"});
@@ -221,11 +224,19 @@ void test_text()
   refuse(".csv", "x,y,z,distance\n1,2,3,4,5\n", {":2:", "5 columns", "names has 4"});
   refuse(".csv", "x,y,z,distance\nx,y,z,distance\n1,2,3,4\n", {":2:", "\"x\""});
   refuse(".csv", "x,y,h,distance\n1,2,3,4\n", {"x, y and z", "x, y, h, distance"});
+  refuse(".csv", "east,north,up,far\n1,2,3,0.5\n",
+         {"x, y and z", "name them so", "line of names", "east, north, up, far"});
+  refuse(".csv", "\"distance\",\"P:0\",\"P:1\",\"P:2\"\n4,1,2,3\n", {"x, y and z", "distance, P:0, P:1, P:2"});
   refuse(".csv", "x,y,z,nx,d\n1,2,3,4,5\n", {"distance", "x, y, z, nx, d", "distance_property"});
   refuse(".csv", "x,y,z,distance\n1,2,3,4\n", {"\"own\"", "x, y, z, distance"}, "own");
   refuse(".csv", "1,2,3,4\n", {"\"own\"", "without names"}, "own");
-  // three columns look like a normal before the distance
-  for (const char* const row : {"0 0 0 0.6 0 -0.8\n", "0 0 0 0 0 1 0.5\n"})
+  // what other programs write into the fourth column is no distance
+  refuse(".csv", "x,y,z,intensity\n1,2,3,4\n", {"named as the distance", "x, y, z, intensity", "distance_property"});
+  refuse(".txt", "//X Y Z R G B distance_to_edge\n1 2 3 4 5 6 7\n", {"X, Y, Z, R, G, B, distance_to_edge"});
+  // three columns look like a normal or a colour before the distance; the first rows need not tell
+  const std::string normals = "1 2 3 0 0 1 0\n", colours = "1 2 3 20 30 255 9\n";
+  for (const std::string& row : {std::string("0 0 0 0.6 0 -0.8\n"), std::string("0 0 0 0 0 1 0.5\n"),
+                                 "0 0 0 0 0 0 1\n" + normals + normals, "0 0 0 nan nan nan 1\n" + normals, colours})
   {
     refuse(".xyz", row, {":1:", "columns without names", "distance_property", "line of names"});
     refuse(".xyz", row, {":1:", "\"3\"", "from 4 to", "distance_property"}, "3");
@@ -255,6 +266,13 @@ void test_values()
   refuse(".csv", "x,y,z,nx,d\n1,2,3,4,-5\n", {"line 2", "its distance in column 5, \"d\", is -5"}, "d");
   refuse(".xyz", "1 1e999 3 0\n", {"point 0 ", "not finite"});
   refuse(".ply", header("ascii") + "end_header\n1 2 3 4\n1 2 3 NaN\n", {"1 of 2 points", "point 1 ", "line 10"});
+  for (const std::string& value : Words{"1.#QNAN", "-1.#IND", "1.#INF", "-1.#INF00"})
+  {
+    refuse(".xyz", "1 2 3 4\n5 6 7 " + value + "\n", {"1 of 2 points", "line 2", "not finite"});
+    refuse(".csv", "1,2," + value + ",4\n", {"1 of 1 point", "coordinate that is not finite"});
+    refuse(".ply", header("ascii") + "end_header\n1 2 3 4\n1 2 3 " + value + "\n", {"1 of 2 points", "not finite"});
+  }
+  refuse(".xyz", "1 2 3 1.#X\n", {"\"1.#X\"", "no number"});
   const float values[] = {1, 2, 3, 4, 1, 2, -std::numeric_limits<float>::infinity(), 4};
   refuse(".ply",
          header("binary_little_endian") + "end_header\n"

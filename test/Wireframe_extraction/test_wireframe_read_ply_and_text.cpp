@@ -3,6 +3,7 @@
 #include "Comma_locale.h"
 #include "scratch_files.h"
 
+#include <CGAL/Wireframe_extraction/IO/Distance_cloud_file.h>
 #include <CGAL/Wireframe_extraction/IO/read_distance_cloud.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
@@ -228,6 +229,10 @@ void test_text()
   check_reads(".txt", "1 2 3 0.5\r-4 5.25 1e2 0\r7 -8 9 1\r");
   check_reads(".txt", "  1\t2   3 0.5  \n\n\t-4 5.25 1.0E+2 0\n \n+7 -8. 9 1\n\n");
   check_reads(".csv", "1,2,3,0.5\n-4, 5.25 ,1e2, 0\n7,-8,9,1,\n");
+  check_reads(".csv", "\"1\",\"2\",\"3\",\"0.5\"\n-4,' 5.25','1e2',0\n\"7\",-8,9,\"1\"\n");
+  check_reads(".csv", "sep=;\n1;2;3;0.5\n-4;5.25;1e2;0\n7;-8;9;1\n");
+  check_reads(".csv", "SEP=,\r\nx,y,z,distance\r\n1,2,3,0.5\r\n-4,5.25,1e2,0\r\n7,-8,9,1\r\n");
+  check_reads(".csv", "sep=\t\n1\t2\t3\t0.5\n-4\t5.25\t1e2\t0\n7\t-8\t9\t1\n");
   check_reads(".csv", "1;2;3;.5\n-4;5.25;100;0\n7;-8;9;1\n");
   check_reads(".txt", "# made by hand\n1 2 3 0.5 # first\n// second\n-4 5.25 1e2 0\n  # third\n7 -8 9 1\n");
   check_reads(".txt",
@@ -242,15 +247,52 @@ void test_text()
   check_reads(".txt", "1 2 3 0 0 1 0.5\n-4 5.25 1e2 0 0 1 0\n7 -8 9 0 0 1 1\n", expected_cloud(), "7");
 }
 
+// what the tool reads: distances need not be there
+void test_unnamed_columns()
+{
+  const auto check = [](const std::string& content, bool has_distances, const std::string& assumption) {
+    const Test_file file(".xyz", content);
+    CGAL::IO::Distance_cloud_file cloud(file.name,
+                                        parameters::field_origin(CGAL::Wireframe_extraction::Field_origin::AUTOMATIC));
+    const bool is_read = cloud.read([](const auto*, const auto*) { return true; });
+    if (!is_read || cloud.has_distances() != has_distances || cloud.assumption().find(assumption) != 0)
+      std::fprintf(stderr, "%s%s %s\n", content.c_str(), cloud.error_message().c_str(), cloud.assumption().c_str());
+    assert(is_read && cloud.has_distances() == has_distances && cloud.assumption().find(assumption) == 0);
+  };
+  std::string many;
+  for (int i = 0; i < 30000; ++i)
+    many += "0 0 0 0.5 1 1\n";
+  const std::string normal = "columns 4 to 6 are taken for a normal", colour = "columns 4 to 6 are taken for a colour",
+                    fourth = "column 4 of 6 is taken for the distance";
+  check("1 2 3 0 0 1\n1 2 3 1 0 0\n", false, normal);
+  check("1 2 3 0 0 0\n1 2 3 0 -1 0\n1 2 3 nan nan nan\n", false, normal);
+  check("1 2 3 0 0 1\n1 2 3 0 0 7\n1 2 3 1 255 3\n", false, colour);
+  check("1 2 3 0 0 1\n1 2 3 0 0.5 7\n1 2 3 1 255 3\n", true, fourth);
+  check("1 2 3 0 0 1\n1 2 3 0 0 7\n1 2 3 1 256 3\n", true, fourth);
+  check("1 2 3 0.6 0.8 0\n1 2 3 0.6 0.9 a\n1 2 3 0.6 0.9 1\n", true, fourth);
+  check("1 2 3 0 0 1\n" + many, true, fourth);
+  check("1 2 3 9 8 7 0.6 0.8 0\n1 2 3 9 8 255 0.6 0.8 0\n", false, colour);
+  check("1 2 3 -500 9 8 7\n1 2 3 -501 9 8 255\n", false, "columns 5 to 7 are taken for a colour");
+  check("# x y z r g b\n1 2 3 9 8 7\n", false, "");
+  check("1 2 3 0.5\n1 2 3 0\n", true, "");
+}
+
 void test_text_with_names()
 {
   check_reads(".csv", "x,y,z,distance\n1,2,3,0.5\n-4,5.25,1e2,0\n7,-8,9,1\n");
   check_reads(".csv", "\"x\";\"y\";\"z\";\"d\"\n1;2;3;0.5\n-4;5.25;1e2;0\n7;-8;9;1\n");
   check_reads(".csv", "d,z,y,x\n0.5,3,2,1\n0,1e2,5.25,-4\n1,9,-8,7\n");
   check_reads(".csv", "Label,Distance,Z,Y,X\na,0.5,3,2,1\nb,0,1e2,5.25,-4\nc,1,9,-8,7\n");
-  check_reads(".csv", "east,north,up,far\n1,2,3,0.5\n-4,5.25,1e2,0\n7,-8,9,1\n");
+  check_reads(".csv", "\"distance\",\"Points:0\",\"Points:1\",\"Points:2\"\n0.5,1,2,3\n0,-4,5.25,1e2\n1,7,-8,9\n");
+  check_reads(".csv", "Points_0,Points_1,Points_2,sharpness,Ids\n1,2,3,0.5,0\n-4,5.25,1e2,0,0\n7,-8,9,1,0\n");
+  check_reads(".txt", "X Y Z scalar_Sharpness Scalar_intensity\n1 2 3 0.5 7\n-4 5.25 1e2 0 7\n7 -8 9 1 7\n");
+  check_reads(".txt", "X Y Z own scalar_own\n1 2 3 7 0.5\n-4 5.25 1e2 7 0\n7 -8 9 7 1\n", expected_cloud(),
+              "scalar_own");
+  check_reads(".txt", "X Y Z i scalar_own\n1 2 3 7 0.5\n-4 5.25 1e2 7 0\n7 -8 9 7 1\n", expected_cloud(), "own");
   check_reads(".txt", "# x y z nx distance\n1,2,3,0,0.5\n-4,5.25,1e2,0,0\n7,-8,9,0,1\n");
   check_reads(".txt", "//X Y Z Quality\n1 2 3 0.5\n-4 5.25 1e2 0\n7 -8 9 1\n");
+  check_reads(".txt", "% distance x y z\n0.5 1 2 3\n0 -4 5.25 1e2\n1 7 -8 9\n");
+  check_reads(".txt", "# columns: distance x y z\n# in millimeters\n0.5 1 2 3\n0 -4 5.25 1e2\n1 7 -8 9\n");
   // a comment that only looks like a line of names
   check_reads(".txt", "# columns: x y z\n1 2 3 0.5\n-4 5.25 1e2 0\n7 -8 9 1\n");
   check_reads(".txt", "# z is up, x y d\n1 2 3 0.5\n-4 5.25 1e2 0\n7 -8 9 1\n");
@@ -341,6 +383,7 @@ int main()
   test_many_points();
   test_choice_of_property();
   test_text();
+  test_unnamed_columns();
   test_text_with_names();
   test_separate_distances();
   test_skipping();

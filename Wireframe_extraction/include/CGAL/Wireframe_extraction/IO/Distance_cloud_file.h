@@ -54,7 +54,7 @@ public:
   ///     \cgalParamType{`Wireframe_extraction::Field_origin`}
   ///     \cgalParamDefault{`Wireframe_extraction::Field_origin::GIVEN`}
   ///     \cgalParamExtra{Of text without names, three columns have no distances, six neither if the last three look like a
-  ///                     normal or a colour.}
+  ///                     normal, and more neither if the fourth to the sixth look like a color.}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{distance_property}
   ///     \cgalParamDescription{the name of the property or column that holds the distances}
@@ -87,6 +87,7 @@ public:
     m_options.field_origin = CGAL::parameters::choose_parameter(
       CGAL::parameters::get_parameter(np, Wireframe_extraction::internal_np::field_origin),
       Wireframe_extraction::Field_origin::GIVEN);
+    m_options.may_be_estimated = true;
   }
 
   /// takes the points from one file and the distances from another. The constructor reads nothing, and so cannot fail.

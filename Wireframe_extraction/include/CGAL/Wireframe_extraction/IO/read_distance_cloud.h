@@ -173,11 +173,12 @@ struct Is_iterator<T, std::void_t<typename std::iterator_traits<T>::iterator_cat
 ///   and one for the distance, each a floating point number or integer of any size, in any order. Other
 ///   properties and other elements are passed over.
 /// - `.xyz`, `.txt`, `.csv`, `.asc`, `.pts`: text with one point per line, whose columns are separated by
-///   blanks, commas, or semicolons. The distance is in the fourth column, unless a line of names before the
-///   first point (which may be a comment) says otherwise; where there are no names, further columns may follow. If
-///   columns four to six look like a normal, the number of the column with the distance, counted from 1, must be given as
-///   `distance_property`. Comments start with `#` or
-///   `//`; a first line that holds only the number of points is checked against it. Every line must have as many
+///   blanks, commas, or semicolons, and may be quoted. The distance is in the fourth column, unless a line of names before the
+///   first point (which may be a comment) says otherwise: then it has to name `x`, `y` and `z`, or as ParaView does `Points:0`,
+///   `Points:1` and `Points:2`. Where there are no names, further columns may follow; if, as far as several rows tell, columns
+///   four to six look like a normal or a color, the number of the column with the distance, counted from 1, must be given as
+///   `distance_property`. Comments start with `#`, `//` or `%`, or behind numbers with `#`; a line such as `sep=;` says what
+///   separates the columns; a first line that holds only the number of points is checked against it. Every line must have as many
 ///   columns as the first.
 /// - `.pcd`: ascii or binary, not compressed, with the fields `x`, `y`, `z` and one for the distance.
 /// - `.npy`: an array of floating point numbers or integers with four columns, the last of which is the distance.
@@ -219,7 +220,8 @@ struct Is_iterator<T, std::void_t<typename std::iterator_traits<T>::iterator_cat
 ///     \cgalParamType{`std::string`}
 ///     \cgalParamDefault{the first that is there of `distance`, `distances`, `sharpness`, `scalar_distance`,
 ///                       `quality`; of text without names, the fourth column}
-///     \cgalParamExtra{A name that differs in case only is taken if there is no exact match.}
+///     \cgalParamExtra{A name that differs in case only is taken if there is no exact match, and then one behind `scalar_`, as
+///                     CloudCompare writes them.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{points_dataset}
 ///     \cgalParamDescription{the name of the data set of HDF5, or the array of `.npz`, that holds the points}

@@ -87,13 +87,34 @@ inline double out_of_range_value(std::string_view text)
   return is_tiny ? 0. : std::numeric_limits<double>::infinity();
 }
 
-// reads a number that takes the whole text; independent of the locale, "nan" and "inf" are numbers
+// Whether a text is what older programs of Windows write for what is not finite, such as 1.#QNAN, -1.#IND and 1.#INF00.
+inline bool is_not_finite_on_windows(std::string_view text)
+{
+  if (!text.empty() && text[0] == '-')
+    text.remove_prefix(1);
+  if (!starts_with(text, "1.#"))
+    return false;
+  text.remove_prefix(3);
+  while (!text.empty() && text.back() == '0')
+    text.remove_suffix(1);
+  for (const char* const name : {"qnan", "snan", "ind", "inf"})
+    if (to_lower(text) == name)
+      return true;
+  return false;
+}
+
+// reads a number that takes the whole text; independent of the locale, "nan", "inf", "1.#QNAN" and the like are numbers
 inline bool parse_number(std::string_view text, double& value)
 {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-')
     text.remove_prefix(1);
   if (text.empty())
     return false;
+  if (is_not_finite_on_windows(text))
+  {
+    value = std::numeric_limits<double>::quiet_NaN();
+    return true;
+  }
   const char* const last = text.data() + text.size();
 #if defined(__cpp_lib_to_chars)
   const std::from_chars_result result = std::from_chars(text.data(), last, value);

@@ -140,7 +140,7 @@ public:
       return fail(filename + ": its array has the shape " + shape_text(points)
                   + ", so it has points but no distances; give the distances as a separate file, or as a fourth "
                     "column, or both arrays in one .npz file"
-                  + estimate_text());
+                  + m_options.estimate_text());
     sink.describe(m_options.distances != nullptr || m_has_distances,
                   has_normals ? "the last three of its six columns are not looked at" : "");
     return hand_out(filename, points, Number_array(), Number_array(), sink);
@@ -166,7 +166,7 @@ public:
       + (wanted.empty() ? "for the distances (looked for: " + join(known_distance_names()) + ")" : quote(wanted))
       + "; it has: " + file.contents_text()
       + ". Name the one that holds the distances (distances_dataset), or give the distances as a separate file"
-      + estimate_text();
+      + options.estimate_text();
   }
 
 private:

@@ -95,7 +95,7 @@ private:
       return fail(m_filename
                   + ": an OFF file has no distances; give them as a separate file, one per vertex, or "
                     "write a PLY file with a property of the vertices for them"
-                  + estimate_text());
+                  + m_options.estimate_text());
     // a vertex takes at least six bytes
     if (m_input.is_size_known() && count > m_input.remaining() / 6 + 1)
       return fail(m_filename + ": its header promises " + std::to_string(count) + " vertices, which "

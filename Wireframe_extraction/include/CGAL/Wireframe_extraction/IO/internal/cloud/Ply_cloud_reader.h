@@ -155,7 +155,7 @@ private:
     if (is_distance)
       text += ". Name the one that holds the distance (distance_property), or give the distances "
               "as a separate file"
-        + estimate_text();
+        + m_options.estimate_text();
     return text;
   }
 

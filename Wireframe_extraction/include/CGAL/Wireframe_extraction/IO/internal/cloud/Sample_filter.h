@@ -52,6 +52,7 @@ struct Cloud_reader_options
   bool reads_indices = false;
   bool skip_invalid = false;
   double largest_magnitude = (std::numeric_limits<double>::max)(); // what the number type can hold
+  bool may_be_estimated = false;                                   // whether the caller can do without distances
   const Separate_distances* distances = nullptr; // if set, the cloud's own distances are not looked at
   Wireframe_extraction::Field_origin field_origin = Wireframe_extraction::Field_origin::GIVEN;
 
@@ -67,10 +68,17 @@ struct Cloud_reader_options
       && (field_origin == Wireframe_extraction::Field_origin::GIVEN || !distance_property.empty()
           || !distances_dataset.empty());
   }
-};
 
-// for messages that tell what to do about distances that are missing
-inline std::string estimate_text() { return ", or have them estimated from the points (field_origin)"; }
+  // how to do without distances, to be added to what is wrong with them; nothing where that is no remedy
+  std::string estimate_text() const
+  {
+    if (!may_be_estimated)
+      return std::string();
+    return field_origin == Wireframe_extraction::Field_origin::GIVEN
+      ? ", or have them estimated from the points (field_origin)"
+      : ", or do not name them, so that they are estimated from the points";
+  }
+};
 
 // names of the field's property, in the order in which they are looked for
 inline const std::vector<std::string>& known_distance_names()
@@ -91,17 +99,26 @@ inline std::size_t find_name(const std::vector<std::string>& names, const std::s
   return names.size();
 }
 
-// index of the field's property; `names.size()` if there is none
+// what CloudCompare writes before the names of scalar fields
+inline const char* scalar_prefix() { return "scalar_"; }
+
+inline std::string without_scalar_prefix(const std::string& name)
+{
+  return starts_with(to_lower(name), scalar_prefix()) ? name.substr(std::string(scalar_prefix()).size()) : name;
+}
+
+// index of the field's property, also behind the prefix of CloudCompare; `names.size()` if there is none
 inline std::size_t find_distance_name(const std::vector<std::string>& names, const std::string& wanted)
 {
-  if (!wanted.empty())
-    return find_name(names, wanted);
-  for (const std::string& name : known_distance_names())
-  {
-    const std::size_t index = find_name(names, name);
-    if (index < names.size())
-      return index;
-  }
+  const std::vector<std::string> candidates =
+    wanted.empty() ? known_distance_names() : std::vector<std::string>{wanted};
+  for (const std::string& prefix : {std::string(), std::string(scalar_prefix())})
+    for (const std::string& candidate : candidates)
+    {
+      const std::size_t index = find_name(names, prefix + candidate);
+      if (index < names.size())
+        return index;
+    }
   return names.size();
 }
 

@@ -16,11 +16,11 @@
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_filter.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_sink.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Text_table.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Unnamed_columns.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <istream>
 #include <string>
@@ -74,7 +74,7 @@ private:
   {
     if (m_names.empty() && std::none_of(fields.begin(), fields.end(), looks_like_number))
     {
-      set_names(fields);
+      m_names.assign(fields.begin(), fields.end());
       return true;
     }
     if (fields.size() != 1 || m_has_promised_count)
@@ -83,30 +83,31 @@ private:
     return m_has_promised_count;
   }
 
-  void set_names(const std::vector<std::string_view>& fields)
+  // A comment counts as line of names only if it can hardly be anything else: if it has as many words as there are columns,
+  // x, y and z among them. What ends with a colon before them, as in "# columns: x y z", is none of the names.
+  void take_names_from_comments(std::size_t number_of_columns)
   {
-    m_names.clear();
-    for (std::string_view field : fields)
+    for (const std::string& comment : m_table.comments())
     {
-      if (field.size() >= 2 && (field.front() == '"' || field.front() == '\'') && field.back() == field.front())
-        field = field.substr(1, field.size() - 2);
-      m_names.emplace_back(field);
+      std::vector<std::string_view> words;
+      const std::size_t title = (std::min)(comment.find(": "), comment.find(":\t"));
+      const std::string_view text = std::string_view(comment).substr(title == std::string::npos ? 0 : title + 1);
+      Text_table::split_by(Text_table::find_separator(text), text, words);
+      const std::vector<std::string> names(words.begin(), words.end());
+      if (names.size() == number_of_columns && find_coordinate(names, 0) < names.size()
+          && find_coordinate(names, 1) < names.size() && find_coordinate(names, 2) < names.size())
+        m_names = names;
     }
   }
 
-  // A comment counts as line of names only if it can hardly be anything else, such as "# columns: x y z".
-  void take_names_from_comment(std::size_t number_of_columns)
+  // x, y or z, or as ParaView calls them
+  static std::size_t find_coordinate(const std::vector<std::string>& names, std::size_t k)
   {
-    std::vector<std::string_view> fields;
-    const std::string_view comment = m_table.last_comment();
-    Text_table::split_by(Text_table::find_separator(comment), comment, fields);
-    if (fields.size() != number_of_columns || comment.find(':') != std::string_view::npos)
-      return;
-    set_names(fields);
-    const std::size_t none = m_names.size();
-    if (find_name(m_names, "x") == none || find_name(m_names, "y") == none || find_name(m_names, "z") == none
-        || (m_options.needs_distances() && find_distance_name(m_names, m_options.distance_property) == none))
-      m_names.clear();
+    for (const std::string& name :
+         {std::string(1, static_cast<char>('x' + k)), "Points:" + std::to_string(k), "Points_" + std::to_string(k)})
+      if (find_name(names, name) < names.size())
+        return find_name(names, name);
+    return names.size();
   }
 
   bool find_columns(const std::vector<std::string_view>& fields)
@@ -121,9 +122,9 @@ private:
       return m_table.fail_at_line(
         "the row has " + plural(number_of_columns, "column", "columns") + ", at least "
         + (needs_distances ? "4 (x y z distance)" : "3 (x y z)") + " are needed"
-        + (number_of_columns == 3 ? "; distances may also come as a separate file" + estimate_text() : ""));
+        + (number_of_columns == 3 ? "; distances may also come as a separate file" + m_options.estimate_text() : ""));
     if (m_names.empty())
-      take_names_from_comment(number_of_columns);
+      take_names_from_comments(number_of_columns);
     else if (m_names.size() != number_of_columns)
       return m_table.fail_at_line("the row has " + plural(number_of_columns, "column", "columns")
                                   + ", the line of names has " + std::to_string(m_names.size())
@@ -134,17 +135,16 @@ private:
 
   bool find_coordinate_columns()
   {
-    static const char* const coordinates[] = {"x", "y", "z"};
-    std::size_t number_of_found = 0;
+    if (m_names.empty())
+      return true; // they are the first
     for (std::size_t i = 0; i < 3; ++i)
     {
-      m_columns[i] = find_name(m_names, coordinates[i]);
-      number_of_found += (m_columns[i] < m_names.size()) ? 1 : 0;
+      m_columns[i] = find_coordinate(m_names, i);
+      if (m_columns[i] == m_names.size())
+        return fail_at_names(
+          "the columns of x, y and z cannot all be found; name them so, or leave out the line of names "
+          "if the first three columns are the coordinates");
     }
-    if (number_of_found == 0)
-      m_columns = {{0, 1, 2, 3}};
-    else if (number_of_found < 3)
-      return fail_at_names("the columns of x, y and z cannot all be found; name them so");
     return true;
   }
 
@@ -158,41 +158,18 @@ private:
     return true;
   }
 
-  // Whether the numbers behind the coordinates are a vector of length 1: a normal, rather than a distance and more.
-  static bool may_have_normals(const std::vector<std::string_view>& fields)
-  {
-    double square = 0., value;
-    return fields.size() > 5
-      && std::all_of(fields.begin() + 3, fields.begin() + 6,
-                     [&](std::string_view field) {
-                       const bool is_number = parse_number(field, value);
-                       square += value * value;
-                       return is_number;
-                     })
-      && std::abs(square - 1.) < 0.02;
-  }
-
-  // Whether three numbers from the given column on are red, green and blue.
-  static bool may_have_colours(const std::vector<std::string_view>& fields, std::size_t first)
-  {
-    std::size_t value;
-    return fields.size() == first + 3
-      && std::all_of(fields.begin() + std::ptrdiff_t(first), fields.end(),
-                     [&](std::string_view field) { return parse_count(field, value) && value < 256; });
-  }
-
   // What stands behind the coordinates of columns without names, where distances need not be there.
-  bool assume_columns(const std::vector<std::string_view>& fields)
+  bool assume_columns(std::size_t count, const Unnamed_columns& columns)
   {
-    const std::size_t count = fields.size();
     if (count == 3)
       m_number_of_wanted = 3;
-    else if (count == 6 && may_have_normals(fields))
+    else if (count == 6 && columns.have_normals())
       leave_out_distances("columns 4 to 6 are taken for a normal, so the file has no distances");
-    else if (may_have_colours(fields, 3) || may_have_colours(fields, 4))
-      leave_out_distances("columns " + std::to_string(count - 2) + " to " + std::to_string(count)
-                          + " are taken for a colour, so the file has no distances");
-    else if (count > 4 && !may_have_normals(fields))
+    else if (columns.have_colours(3))
+      leave_out_distances("columns 4 to 6 are taken for a colour, so the file has no distances");
+    else if (count == 7 && columns.have_colours(4))
+      leave_out_distances("columns 5 to 7 are taken for a colour, so the file has no distances");
+    else if (count > 4 && !columns.have_normals())
       m_assumption = "column 4 of " + std::to_string(count) + " is taken for the distance";
     return m_number_of_wanted == 4;
   }
@@ -205,16 +182,20 @@ private:
 
   bool find_distance_column_by_number(const std::vector<std::string_view>& fields)
   {
-    if (!m_options.needs_distances() && !assume_columns(fields))
+    Unnamed_columns columns(fields.size());
+    columns.add(fields);
+    m_table.for_each_row_ahead([&columns](const std::vector<std::string_view>& ahead) { columns.add(ahead); });
+    if (!m_options.needs_distances() && !assume_columns(fields.size(), columns))
       return true;
     const std::string& wanted = m_options.distance_property;
     std::size_t number = 4;
-    if (wanted.empty() && may_have_normals(fields))
+    if (wanted.empty() && (columns.have_normals() || columns.have_colours(3)))
       return m_table.fail_at_line("the row has " + std::to_string(m_number_of_columns)
-                                  + " columns without names, of "
-                                    "which 4 to 6 look like a normal; say which one holds the distance by its number, "
+                                  + " columns without names, of which 4 to 6 look like a "
+                                  + (columns.have_normals() ? "normal" : "colour")
+                                  + "; say which one holds the distance by its number, "
                                     "counted from 1 (distance_property), or put a line of names first"
-                                  + estimate_text());
+                                  + m_options.estimate_text());
     if (!wanted.empty()
         && (!parse_count(std::string_view(wanted), number) || number < 4 || number > m_number_of_columns))
       return m_table.fail_at_line("no column is named " + quote(wanted)
@@ -239,9 +220,9 @@ private:
       m_number_of_wanted = 3;
       return true;
     }
-    if (m_names.size() > 4)
+    if (m_names.size() > 4 || is_other_name(m_names[other_column()]))
       return fail_at_names("no column is named as the distance (looked for: " + join(known_distance_names())
-                           + "); name the right one (distance_property)" + estimate_text());
+                           + "); name the right one (distance_property)" + m_options.estimate_text());
     m_columns[3] = other_column();
     if (!m_options.needs_distances())
       m_assumption = "the column " + quote(m_names[m_columns[3]]) + " is taken for the distance";
@@ -254,11 +235,10 @@ private:
   // what scanners write behind the coordinates
   static bool is_other_name(const std::string& name)
   {
-    static const std::vector<std::string> names = {
-      "intensity", "scalar_intensity", "i",    "reflectance", "reflectivity", "label", "class",
-      "id",        "classification",   "time", "timestamp",   "rgb",          "rgba",  "gray",
-      "grey",      "curvature"};
-    return find_name(names, name) < names.size();
+    static const std::vector<std::string> names = {"intensity", "i",    "reflectance",    "reflectivity", "label",
+                                                   "class",     "id",   "classification", "time",         "timestamp",
+                                                   "rgb",       "rgba", "gray",           "grey",         "curvature"};
+    return find_name(names, without_scalar_prefix(name)) < names.size();
   }
 
   bool fail_at_names(const std::string& what)

@@ -17,6 +17,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <istream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -28,6 +29,21 @@ namespace internal {
 inline std::string system_error_text(int code)
 {
   return code == 0 ? std::string("unknown reason") : std::generic_category().message(code);
+}
+
+// whether the next bytes are the first ones of what gzip writes; they are still to be read then
+inline bool is_gzip(std::istream& stream)
+{
+  bool is_second_byte = false;
+  if (stream.peek() == 0x1f)
+  {
+    stream.get();
+    is_second_byte = stream.peek() == 0x8b;
+    stream.clear();
+    stream.unget();
+  }
+  stream.clear(); // there may be nothing at all
+  return is_second_byte;
 }
 
 // opens a file for reading its bytes; says why if that is impossible
@@ -49,6 +65,11 @@ inline bool open_input_file(const std::string& filename, std::ifstream& stream, 
   if (!stream)
     error = filename + ": cannot be opened for reading: " + system_error_text(errno)
       + (errno == ENOENT ? "; check its name" : "");
+  else if (is_gzip(stream))
+  {
+    error = filename + ": is compressed by gzip, whatever its name says; unpack it first, by \"gunzip\"";
+    return false;
+  }
   return stream.is_open();
 }
 
