@@ -111,6 +111,17 @@ class Benchmark_test(Program_test):
                          ["ply", "format binary_little_endian 1.0", f"element vertex {len(points)}",
                           "property float x", "property float y", "property float z", "end_header"])
         self.assertEqual(list(struct.iter_unpack("<3f", data[end:])), [p[:3] for p in points])
+        cloud = self.cases / "flat/box/def.ply"
+        good = cloud.read_bytes()
+        for bad, word in ((good.replace(b"binary_little_endian", b"ascii"), "binary PLY files"),
+                          (good.replace(b"float z", b"float h"), "no floating point number z"),
+                          (good.replace(b"end_header", b"element face 0\nend_header"), "of vertices only"),
+                          (good[:-3], "is truncated"), (b"solid", "starts with the line")):
+            cloud.write_bytes(bad)
+            done = self.run_program(RUN_BENCHMARK, self.cases, "--raw", "--match", "box", "--fields", "def", "--tool", tool)
+            self.assertNotEqual(done.returncode, 0)
+            self.assertIn(word, done.stderr)
+        cloud.write_bytes(good)
         if EXTRACT_WIREFRAME:
             _, rows = self.benchmark("--raw", "--match", "box", "--fields", "exact")
             self.assertEqual(rows["box", "exact"]["failure"], "")

@@ -12,15 +12,17 @@
 #ifndef WIREFRAME_BENCHMARK_WRITE_BARE_POINTS_H
 #define WIREFRAME_BENCHMARK_WRITE_BARE_POINTS_H
 
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Chunked_input.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Ply_header.h>
+
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <map>
-#include <sstream>
+#include <ostream>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace Wireframe_benchmark {
 
@@ -28,51 +30,45 @@ namespace fs = std::filesystem;
 
 namespace internal {
 
-/// a property of the vertices of a binary PLY file
-struct Ply_column
+/// the vertices of a binary PLY file that has nothing else, and where their coordinates are
+struct Bare_points
 {
-  std::string type;
-  std::size_t offset, size;
-};
+  CGAL::IO::internal::Ply_element vertex;
+  std::array<std::size_t, 3> offsets = {{0, 0, 0}}, sizes = {{0, 0, 0}}; // of x, y and z, in bytes
 
-/// what a binary PLY file holds whose only element are vertices without lists
-struct Ply_layout
-{
-  std::size_t number_of_vertices = 0, vertex_size = 0;
-  std::map<std::string, Ply_column> columns;
-};
-
-inline Ply_layout read_ply_layout(std::istream& in, const std::string& name)
-{
-  static const std::map<std::string, std::size_t> sizes = {
-    {"char", 1},   {"uchar", 1},   {"short", 2},  {"ushort", 2}, {"int", 4},    {"uint", 4},
-    {"float", 4},  {"int8", 1},    {"uint8", 1},  {"int16", 2},  {"uint16", 2}, {"int32", 4},
-    {"uint32", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
-  Ply_layout layout;
-  bool is_binary = false;
-  std::string line;
-  while (std::getline(in, line) && line != "end_header")
+  /// reads the header of a file
+  Bare_points(CGAL::IO::internal::Chunked_input& in, const std::string& name)
   {
-    std::istringstream words(line);
-    std::string key, first, second;
-    words >> key >> first >> second;
-    if (key == "format")
-      is_binary = first == "binary_little_endian";
-    if (key == "element" && first == "vertex" && layout.number_of_vertices == 0)
-      layout.number_of_vertices = std::stoul(second);
-    else if (key == "element")
-      throw std::runtime_error(name + ": has other elements than vertices, which --raw cannot leave out");
-    if (key != "property")
-      continue;
-    if (sizes.count(first) == 0)
-      throw std::runtime_error(name + ": has a property of the type " + first + ", which --raw cannot leave out");
-    layout.columns[second] = {first, layout.vertex_size, sizes.at(first)};
-    layout.vertex_size += sizes.at(first);
+    CGAL::IO::internal::Ply_header header;
+    std::string error;
+    if (!header.read(in, name, error))
+      throw std::runtime_error(error);
+    if (header.format != CGAL::IO::internal::Ply_format::BINARY_LITTLE_ENDIAN || header.elements.size() != 1
+        || header.elements.front().name != "vertex" || header.elements.front().has_list())
+      throw std::runtime_error(
+        name
+        + ": --raw reads binary PLY files (little endian) of vertices only, without lists; write "
+          "the cloud as one");
+    vertex = header.elements.front();
+    for (std::size_t k = 0; k < 3; ++k)
+      find(k, name);
   }
-  if (!in || !is_binary || layout.columns.count("x") + layout.columns.count("y") + layout.columns.count("z") != 3)
-    throw std::runtime_error(name + ": --raw reads binary PLY files (little endian) with x, y and z only");
-  return layout;
-}
+
+  std::string property(std::size_t k) const { return std::string(1, "xyz"[k]); }
+
+private:
+  void find(std::size_t k, const std::string& name)
+  {
+    for (const CGAL::IO::internal::Ply_property& p : vertex.properties)
+    {
+      sizes[k] = size_of(p.type);
+      if (p.name == property(k) && is_floating_point(p.type))
+        return;
+      offsets[k] += sizes[k];
+    }
+    throw std::runtime_error(name + ": its vertices have no floating point number " + property(k) + "; add one");
+  }
+};
 
 } // namespace internal
 
@@ -85,23 +81,22 @@ writes the positions of a cloud, bit by bit as they are, and nothing else that i
 */
 inline void write_bare_points(const fs::path& cloud, const fs::path& result)
 {
-  std::ifstream in(cloud, std::ios::binary);
-  const internal::Ply_layout layout = internal::read_ply_layout(in, cloud.string());
+  std::ifstream stream(cloud, std::ios::binary);
+  CGAL::IO::internal::Chunked_input in(stream);
+  const internal::Bare_points points(in, cloud.string());
   std::ofstream out(result, std::ios::binary);
-  out << "ply\nformat binary_little_endian 1.0\nelement vertex " << layout.number_of_vertices << '\n';
-  const std::array<internal::Ply_column, 3> columns = {
-    {layout.columns.at("x"), layout.columns.at("y"), layout.columns.at("z")}};
-  static const char* const names[] = {"x", "y", "z"};
+  out << "ply\nformat binary_little_endian 1.0\nelement vertex " << points.vertex.count << '\n';
   for (std::size_t k = 0; k < 3; ++k)
-    out << "property " << columns[k].type << ' ' << names[k] << '\n';
+    out << "property " << (points.sizes[k] == 4 ? "float " : "double ") << points.property(k) << '\n';
   out << "end_header\n";
-  std::vector<char> vertex(layout.vertex_size);
-  for (std::size_t i = 0; i < layout.number_of_vertices; ++i)
+  const std::size_t size = static_cast<std::size_t>(points.vertex.entry_size());
+  for (std::uint64_t i = 0; i < points.vertex.count; ++i)
   {
-    if (!in.read(vertex.data(), std::streamsize(vertex.size())))
-      throw std::runtime_error(cloud.string() + ": is truncated");
-    for (const internal::Ply_column& column : columns)
-      out.write(vertex.data() + column.offset, std::streamsize(column.size));
+    if (in.require(size) < size)
+      throw std::runtime_error(cloud.string() + ": is truncated; make the case again");
+    for (std::size_t k = 0; k < 3; ++k)
+      out.write(in.data() + points.offsets[k], std::streamsize(points.sizes[k]));
+    in.consume(size);
   }
   if (!out.flush())
     throw std::runtime_error(result.string() + ": cannot be written; is the disk full?");

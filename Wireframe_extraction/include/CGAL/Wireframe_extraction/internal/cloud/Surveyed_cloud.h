@@ -101,15 +101,10 @@ public:
     if (!m_error.empty())
       return;
     std::size_t index = 0;
-    const bool is_read = m_source.read([&](const Sample* first, const Sample* beyond) {
-      const bool has_distances = m_source.has_distances();
-      for (; first != beyond; ++first, ++index)
-      {
-        const double distance = has_distances ? first->distance : 0.;
-        if (is_finite({first->x, first->y, first->z, distance}) && distance >= 0.)
-          use(Vector(first->x, first->y, first->z), distance, index);
-      }
-      return true;
+    const bool is_read = read([&](const Sample& s) {
+      if (is_finite(s) && s.distance >= 0.)
+        use(Vector(s.x, s.y, s.z), s.distance, index);
+      ++index;
     });
     if (!is_read)
       m_error = reason();
@@ -128,6 +123,18 @@ private:
   static constexpr std::size_t least_queries = 64;
 
   void start_with_few(Neighbor_scan& scan) const;
+
+  // Calls `use(sample)` for all that the source has. Distances that are not known are 0, whatever the source says.
+  template <class Use>
+  bool read(const Use& use) const
+  {
+    return m_source.read([&](const Sample* first, const Sample* beyond) {
+      const bool has_distances = m_source.has_distances();
+      for (; first != beyond; ++first)
+        use(has_distances ? *first : Sample{first->x, first->y, first->z, 0.});
+      return true;
+    });
+  }
 
   static bool is_finite(const Sample& s)
   {

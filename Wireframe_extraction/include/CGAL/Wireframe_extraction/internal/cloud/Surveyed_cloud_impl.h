@@ -35,12 +35,7 @@ namespace internal {
 CGAL_WIREFRAME_EXTRACTION_INLINE bool Surveyed_cloud::survey()
 {
   m_sample.reserve(m_source.size_hint());
-  const bool is_read = m_source.read([&](const Sample* first, const Sample* beyond) {
-    const bool has_distances = m_source.has_distances();
-    for (; first != beyond; ++first)
-      survey(has_distances ? *first : Sample{first->x, first->y, first->z, 0.});
-    return true;
-  });
+  const bool is_read = read([this](const Sample& s) { survey(s); });
   m_sample.thin_out();
   if (!is_read)
     m_error = reason();
