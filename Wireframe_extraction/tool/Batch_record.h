@@ -78,6 +78,7 @@ inline std::string to_text(const Batch_record& record)
                              {"curves", record.result.number_of_curves},
                              {"corners", record.result.number_of_corners},
                              {"sampling_distance", record.result.sampling_distance},
+                             {"mesh", record.result.mesh_kind},
                              {"warnings", record.result.warnings},
                              {"seconds", record.seconds},
                              {"processor_seconds", record.processor_seconds},
@@ -100,6 +101,7 @@ inline Batch_record record_of_text(const std::string& text)
   document.at("curves").get_to(record.result.number_of_curves);
   document.at("corners").get_to(record.result.number_of_corners);
   document.at("sampling_distance").get_to(record.result.sampling_distance);
+  record.result.mesh_kind = document.value("mesh", std::string()); // which older records have not
   document.at("warnings").get_to(record.result.warnings);
   document.at("seconds").get_to(record.seconds);
   document.at("processor_seconds").get_to(record.processor_seconds);

@@ -17,7 +17,7 @@ class Cloud_in_memory : public Input_cloud
 public:
   std::vector<Sample> samples;
   std::size_t skipped = 0;
-  std::string text, text_without_feature;
+  std::string text, text_without_feature, kind_of_mesh;
   bool are_distances_known = true;
 
   bool read(const Sink& sink) override
@@ -32,6 +32,7 @@ public:
   bool has_distances() const override { return are_distances_known; }
   std::size_t number_of_skipped() const override { return skipped; }
   std::string no_feature() const override { return text_without_feature; }
+  std::string mesh_kind() const override { return kind_of_mesh; }
   std::string note() const override { return text; }
 };
 

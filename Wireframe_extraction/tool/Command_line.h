@@ -280,6 +280,9 @@ private:
                                          "option, as in --quiet true");
     if (input.files.size() > 1 && !input.are_patches)
       throw CLI::ExtrasError("extract_wireframe", {input.files[1] + " (several clouds are read as --patches of one)"});
+    for (const char* const name : {"--distance-property", "--distances-dataset"})
+      if (input.mesh == Mesh_choice::CAD && m_app.count(name) > 0)
+        throw CLI::ExcludesError("--mesh cad", name);
     const bool is_estimated = input.field_origin == CGAL::Wireframe_extraction::Field_origin::ESTIMATED;
     for (const char* const name : {"--distances", "--distance-property", "--distances-dataset", "--patches"})
       if (is_estimated && (name == std::string("--patches") ? input.are_patches : m_app.count(name) > 0))

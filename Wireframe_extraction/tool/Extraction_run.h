@@ -5,6 +5,7 @@
 
 #include "Command_line.h"
 #include "Error.h"
+#include "Field_scale.h"
 #include "Kernel.h"
 #include "Options.h"
 #include "Output_files.h"
@@ -99,6 +100,7 @@ public:
     result.number_of_curves = m_number_of_curves;
     result.number_of_corners = m_report.number_of_corners;
     result.sampling_distance = m_report.sampling_distance;
+    result.mesh_kind = m_mesh_kind;
     for (const std::string& warning : m_report.warnings)
       result.warnings.push_back(m_command_line.with_option_names(warning));
     return result;
@@ -137,7 +139,9 @@ private:
     std::string error;
     std::unique_ptr<Input_cloud> cloud = open_input(m_options.input, error);
     throw_if(with_option_names(error), BAD_INPUT);
+    m_mesh_kind = cloud->mesh_kind();
     throw_if(with_option_names(cloud->no_feature()), NO_FEATURE);
+    m_scale = Field_scale(m_options, cloud->field_header());
     m_seconds_of_opening = seconds_since(begin);
     return cloud;
   }
@@ -179,10 +183,10 @@ private:
     };
     return CGAL::extract_wireframe_from_source<Kernel>(
       cloud,
-      parameters::sampling_distance(m_options.sampling_distance)
+      parameters::sampling_distance(m_scale.sampling_distance)
         .points_in_memory(static_cast<std::size_t>(m_options.points_in_memory))
         .minimum_fold(m_options.input.minimum_fold)
-        .noise_level(options.noise_level)
+        .noise_level(m_scale.noise_level)
         .skeleton_distance(options.skeleton_distance)
         .support_distance(options.support_distance)
         .fitting_radius(options.fitting_radius)
@@ -236,7 +240,7 @@ private:
 
   Summary summary(const Wireframe& wireframe) const
   {
-    return summary_of(m_options, wireframe, m_report, m_number_of_skipped + m_report.number_of_skipped_points);
+    return summary_of(m_scale, wireframe, m_report, m_number_of_skipped + m_report.number_of_skipped_points);
   }
 
   // notes on how the input was taken, and what looks odd
@@ -305,6 +309,8 @@ private:
   Stage_folder m_folder;
   Report m_report;
   CGAL::Wireframe_extraction::Distance_field m_field; // that was estimated, if it is needed
+  Field_scale m_scale;
+  std::string m_mesh_kind;
   std::size_t m_number_of_skipped = 0, m_number_of_curves = 0;
   double m_seconds_of_opening = 0.;
   std::vector<std::pair<std::string, double>> m_seconds;

@@ -37,7 +37,7 @@ inline const char* to_text(Batch_status status)
 
 inline const char* summary_header()
 {
-  return "cloud,status,exit_code,error,seconds,processor_seconds,peak_megabytes,points,r,curves,corners,warnings,"
+  return "cloud,status,exit_code,error,seconds,processor_seconds,peak_megabytes,points,r,curves,corners,mesh,warnings,"
          "outputs";
 }
 
@@ -75,7 +75,7 @@ inline void write_row(std::ostream& stream, const std::string& cloud, const std:
   stream << csv_field(cloud) << ',' << to_text(status) << ',';
   if (status == Batch_status::PENDING)
   {
-    stream << ",,,,,,,,,,\n";
+    stream << ",,,,,,,,,,,\n";
     return;
   }
   stream << result.exit_code << ',' << csv_field(result.error) << ',' << csv_number(record.seconds, "%.3f") << ','
@@ -89,7 +89,7 @@ inline void write_row(std::ostream& stream, const std::string& cloud, const std:
     return output_name + "." + output.first;
   };
   const auto text_of_warning = [](const std::string& warning) { return warning; };
-  stream << ',' << csv_field(joined(result.warnings, "; ", text_of_warning)) << ','
+  stream << ',' << result.mesh_kind << ',' << csv_field(joined(result.warnings, "; ", text_of_warning)) << ','
          << csv_field(joined(record.outputs, ";", text_of_output)) << '\n';
 }
 

@@ -67,7 +67,15 @@ int run_many(const Command_line& command_line, const Options& options)
     of_cloud.outputs = outputs;
     std::tie(result.exit_code, result.error) = outcome_of([&] {
       Extraction_run run(command_line, of_cloud);
-      run.run();
+      try
+      {
+        run.run();
+      }
+      catch (...)
+      {
+        result.mesh_kind = run.result().mesh_kind; // which may be why
+        throw;
+      }
       result = run.result();
       return SUCCESS;
     });

@@ -4,12 +4,18 @@
 #include "open_mesh.h"
 
 #include <CGAL/Wireframe_extraction/IO/Distance_cloud_file.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Chunked_input.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Ply_header.h>
+#include <CGAL/Wireframe_extraction/IO/internal/file/file_tools.h>
 #include <CGAL/Wireframe_extraction/IO/read_distance_patches.h>
 #include <CGAL/Wireframe_extraction/fuse_distance_patches.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
+#include <fstream>
+#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -20,6 +26,29 @@ namespace {
 namespace wireframe = CGAL::Wireframe_extraction;
 typedef Kernel::Point_3 Point;
 
+// What the header says of the distances that are read; what is wrong with the file is told when it is read.
+Field_header field_header_of(const Input& input)
+{
+  namespace io = CGAL::IO::internal;
+  const std::string property = "distance"; // that is written
+  if (io::lower_extension(input.files.front()) != ".ply"
+      || (!input.distance_property.empty() && input.distance_property != property))
+    return Field_header();
+  std::ifstream stream;
+  std::string error;
+  if (!io::open_input_file(input.files.front(), stream, error))
+    return Field_header();
+  io::Chunked_input bytes(stream);
+  io::Ply_header header;
+  if (!header.read(bytes, input.files.front(), error))
+    return Field_header();
+  const std::size_t vertex = header.find_element("vertex");
+  const std::vector<std::string> names =
+    vertex < header.elements.size() ? header.elements[vertex].property_names() : std::vector<std::string>();
+  return std::find(names.begin(), names.end(), property) != names.end() ? Field_header(header.comments)
+                                                                        : Field_header();
+}
+
 class Cloud_in_file : public Input_cloud
 {
 public:
@@ -27,16 +56,25 @@ public:
   Cloud_in_file(const Input& input, const NamedParameters& np)
     : m_file(input.has_distances ? CGAL::IO::Distance_cloud_file(input.files.front(), input.distances, np)
                                  : CGAL::IO::Distance_cloud_file(input.files.front(), np))
-  {}
+  {
+    if (input.mesh == Mesh_choice::SCAN && is_mesh(input.files.front()))
+      m_mesh_kind = "scan";
+    if (!input.has_distances && input.field_origin != wireframe::Field_origin::ESTIMATED)
+      m_field_header = field_header_of(input);
+  }
 
   bool read(const Sink& sink) override { return m_file.read(sink); }
   bool has_distances() const override { return m_file.has_distances(); }
   std::string error_message() const override { return m_file.error_message(); }
   std::size_t number_of_skipped() const override { return m_file.number_of_skipped(); }
+  std::string mesh_kind() const override { return m_mesh_kind; }
+  Field_header field_header() const override { return m_field_header; }
   std::string note() const override { return m_file.assumption(); }
 
 private:
   CGAL::IO::Distance_cloud_file m_file;
+  std::string m_mesh_kind;
+  Field_header m_field_header;
 };
 
 // pipes cannot be read twice; what is not there at all is told by the reader
@@ -96,6 +134,9 @@ std::unique_ptr<Input_cloud> open_input(const Input& input, std::string& error)
                     .distances_dataset(input.distances_dataset);
   const bool is_once_only =
     can_be_read_once_only(input.files.front()) || (input.has_distances && can_be_read_once_only(input.distances));
+  error = why_no_distances(input);
+  if (!error.empty())
+    return std::make_unique<Cloud_in_memory>();
   if (is_mesh_to_sample(input, is_once_only))
     return open_mesh(input, error);
   if (!input.are_patches && !is_once_only)

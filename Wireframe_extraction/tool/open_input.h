@@ -3,6 +3,8 @@
 #ifndef EXTRACT_WIREFRAME_OPEN_INPUT_H
 #define EXTRACT_WIREFRAME_OPEN_INPUT_H
 
+#include "Field_header.h"
+
 #include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
 #include <CGAL/Wireframe_extraction/policies.h>
 
@@ -36,6 +38,9 @@ struct Input
   double sampling_distance = 0., minimum_fold = 20., maximum_facet_fold = 50.;
   int maximum_number_of_points = 200000;
   bool use_boundaries = false;
+
+  // whether it is told where CLOUD has its distances
+  bool names_distances() const { return !distance_property.empty() || !distances_dataset.empty(); }
 };
 
 // A cloud that stays in its file, or one in memory, with distances or without.
@@ -46,6 +51,12 @@ public:
 
   // why no sharp feature can be found, if that is known from the start
   virtual std::string no_feature() const { return std::string(); }
+
+  // what a mesh was taken for, as --mesh says it; empty for what is no mesh
+  virtual std::string mesh_kind() const { return std::string(); }
+
+  // of a field that this tool wrote
+  virtual Field_header field_header() const { return Field_header(); }
 
   // what the user shall know
   virtual std::string note() const { return std::string(); }

@@ -1,8 +1,10 @@
 #include "open_mesh.h"
 #include "Cloud_in_memory.h"
 
+#include <CGAL/Wireframe_extraction/IO/internal/file/file_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/mesh/mesh_formats.h>
 #include <CGAL/Wireframe_extraction/Sharp_mesh_report.h>
+#include <CGAL/Wireframe_extraction/internal/base/different_positions.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 #include <CGAL/Wireframe_extraction/internal/mesh/Sharp_mesh.h>
 #include <CGAL/Wireframe_extraction/internal/mesh/report_on_mesh.h>
@@ -37,12 +39,18 @@ std::string scan_text(const std::string& filename)
       "(--field), or if the mesh is a shape whose edges are edges of the mesh, --mesh cad";
 }
 
-void take_vertices(const internal::Polygon_soup& soup, Cloud_in_memory& result)
+// Takes the vertices of a mesh that is a scan, each once: in STL, every triangle has vertices of its own. Returns what is wrong
+// with that.
+std::string take_vertices(const Input& input, const internal::Polygon_soup& soup, Cloud_in_memory& result)
 {
-  for (const internal::Vector& p : soup.points)
-    result.samples.push_back({p.x(), p.y(), p.z(), 0.});
+  if (input.field_origin == wireframe::Field_origin::GIVEN)
+    return scan_text(input.files.front());
+  for (std::size_t i : internal::different_positions(soup.points))
+    result.samples.push_back({soup.points[i].x(), soup.points[i].y(), soup.points[i].z(), 0.});
+  result.kind_of_mesh = "scan";
   result.text = "the mesh was taken for a scan (--mesh scan), whose vertices are the points";
   result.are_distances_known = false;
+  return std::string();
 }
 
 std::string no_sharp_edge_text(const std::string& filename, const internal::Sharp_mesh& mesh,
@@ -83,6 +91,22 @@ std::string note_on(const internal::Sharp_mesh& mesh, const internal::Mesh_sampl
 
 } // namespace
 
+std::string why_no_distances(const Input& input)
+{
+  using CGAL::IO::internal::Mesh_format;
+  const std::string& filename = input.files.front();
+  const Mesh_format format = CGAL::IO::internal::find_mesh_format(filename);
+  const bool is_mesh_only = format == Mesh_format::STL || format == Mesh_format::OBJ;
+  if (!is_mesh_only || !(input.has_distances || input.names_distances()))
+    return std::string();
+  return filename + ": a mesh in " + CGAL::IO::internal::lower_extension(filename)
+    + " has no distances, and gets none of a file (distance_property, distances_dataset, --distances); write it as "
+      ".ply or "
+      ".off, whose vertices are the points then, or leave these options out";
+}
+
+bool is_mesh(const std::string& filename) { return CGAL::IO::internal::look_at_mesh_file(filename).is_mesh; }
+
 bool is_mesh_to_sample(const Input& input, bool is_once_only)
 {
   using CGAL::IO::internal::Mesh_format;
@@ -92,10 +116,9 @@ bool is_mesh_to_sample(const Input& input, bool is_once_only)
   const Mesh_format format = CGAL::IO::internal::find_mesh_format(filename);
   if (input.mesh == Mesh_choice::CAD || format == Mesh_format::STL || format == Mesh_format::OBJ)
     return true;
-  if (input.mesh == Mesh_choice::SCAN || is_once_only || format == Mesh_format::UNKNOWN)
+  if (input.mesh == Mesh_choice::SCAN || is_once_only || format == Mesh_format::UNKNOWN || input.names_distances())
     return false;
-  const CGAL::IO::internal::Mesh_file_content content =
-    CGAL::IO::internal::look_at_mesh_file(filename, input.distance_property);
+  const CGAL::IO::internal::Mesh_file_content content = CGAL::IO::internal::look_at_mesh_file(filename);
   return content.is_mesh && !content.has_distances;
 }
 
@@ -109,22 +132,21 @@ std::unique_ptr<Input_cloud> open_mesh(const Input& input, std::string& error)
     return result;
   try
   {
+    if (input.mesh == Mesh_choice::SCAN)
+    {
+      error = take_vertices(input, soup, *result);
+      return result;
+    }
     internal::Sharp_mesh mesh;
     const internal::Sharp_mesh_options options = options_of(input);
     error = internal::make_sharp_mesh(soup, options, mesh);
     if (!error.empty())
       error = filename + ": " + error;
-    else if (input.mesh == Mesh_choice::SCAN
-             || (input.mesh == Mesh_choice::AUTOMATIC && mesh.kind == wireframe::Mesh_kind::SCAN))
-    {
-      if (input.field_origin == wireframe::Field_origin::GIVEN)
-        error = scan_text(filename);
-      else
-        take_vertices(soup, *result);
+    else if (input.mesh == Mesh_choice::AUTOMATIC && mesh.kind == wireframe::Mesh_kind::SCAN)
+      error = take_vertices(input, soup, *result);
+    if (!error.empty() || !result->kind_of_mesh.empty())
       return result;
-    }
-    if (!error.empty())
-      return result;
+    result->kind_of_mesh = "cad";
     if (mesh.sharp.edges.empty())
     {
       result->text_without_feature = no_sharp_edge_text(filename, mesh, options);

@@ -10,6 +10,12 @@
 
 namespace tool {
 
+// Returns what is wrong if distances are named of a mesh that cannot have any, else nothing.
+std::string why_no_distances(const Input& input);
+
+// Whether a file has faces, as far as its beginning tells.
+bool is_mesh(const std::string& filename);
+
 // Whether the input is a mesh whose faces are to be looked at: it is none for its points and distances.
 bool is_mesh_to_sample(const Input& input, bool is_once_only);
 

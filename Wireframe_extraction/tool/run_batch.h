@@ -32,6 +32,7 @@ struct Cloud_result
   std::string error; // in one line, empty if all went well
   std::size_t number_of_points = 0, number_of_curves = 0, number_of_corners = 0;
   double sampling_distance = 0.;
+  std::string mesh_kind; // cad or scan; empty for what is no mesh
   std::vector<std::string> warnings;
 };
 

@@ -3,7 +3,7 @@
 #ifndef EXTRACT_WIREFRAME_SUMMARY_H
 #define EXTRACT_WIREFRAME_SUMMARY_H
 
-#include "Options.h"
+#include "Field_scale.h"
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
@@ -112,18 +112,19 @@ inline std::string times_text(const std::vector<std::pair<std::string, double>>&
 typedef std::vector<std::pair<std::string, std::string>> Summary;
 
 template <class GeomTraits>
-Summary summary_of(const Options& options, const CGAL::Wireframe<GeomTraits>& wireframe,
+Summary summary_of(const Field_scale& scale, const CGAL::Wireframe<GeomTraits>& wireframe,
                    const CGAL::Wireframe_extraction_report& report, std::size_t number_of_skipped)
 {
   const double r = report.sampling_distance;
   Summary rows;
   rows.emplace_back("Points", points_text(report, number_of_skipped));
-  rows.emplace_back("r", short_number(r) + (options.sampling_distance > 0. ? " (given)" : " (estimated)"));
+  rows.emplace_back("r", short_number(r) + " (" + scale.origin_of_r + ")");
   if (report.is_field_estimated)
     rows.emplace_back("Field",
                       "estimated from the points, whose noise is " + length_text(report.point_noise, r) + "; "
                         + counted(report.number_of_near_points, "point", "points") + " near features");
-  rows.emplace_back("Noise", length_text(report.noise, r));
+  rows.emplace_back(
+    "Noise", length_text(report.noise, r) + (scale.origin_of_noise.empty() ? "" : " (" + scale.origin_of_noise + ")"));
   rows.emplace_back("Skeleton", counted(report.skeleton_size, "point", "points"));
   rows.emplace_back(
     "Corners",

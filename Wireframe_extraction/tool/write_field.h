@@ -3,11 +3,11 @@
 #ifndef EXTRACT_WIREFRAME_WRITE_FIELD_H
 #define EXTRACT_WIREFRAME_WRITE_FIELD_H
 
+#include "Field_header.h"
 #include "open_input.h"
 
 #include <CGAL/Wireframe_extraction/Distance_field.h>
 #include <CGAL/Wireframe_extraction/IO/internal/file/byte_tools.h>
-#include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,9 +24,10 @@ inline bool write_field(std::ostream& stream, Input_cloud& cloud,
 {
   const auto is_known = [](double distance) { return std::isfinite(distance); };
   const auto count = std::count_if(field.distances.begin(), field.distances.end(), is_known);
-  stream << "ply\nformat binary_little_endian 1.0\ncomment sampling_distance "
-         << CGAL::IO::internal::number_to_string(field.sampling_distance) << "\ncomment noise_level "
-         << CGAL::IO::internal::number_to_string(field.noise_level) << "\nelement vertex " << std::to_string(count)
+  stream << "ply\nformat binary_little_endian 1.0\n";
+  for (const std::string& comment : Field_header(field.sampling_distance, field.noise_level).comments())
+    stream << "comment " << comment << '\n';
+  stream << "element vertex " << std::to_string(count)
          << "\nproperty double x\nproperty double y\nproperty double z\nproperty double distance\n"
             "property double deviation\nend_header\n";
   std::size_t index = 0;

@@ -18,7 +18,7 @@ import unittest
 from program_test import BAD_INPUT, BUSY, NO_FEATURE, SOME_FAILED, SUCCESS, TIME_LIMIT, USAGE_ERROR, Program_test, main
 
 COLUMNS = ["cloud", "status", "exit_code", "error", "seconds", "processor_seconds", "peak_megabytes", "points", "r",
-           "curves", "corners", "warnings", "outputs"]
+           "curves", "corners", "mesh", "warnings", "outputs"]
 
 
 def children_of(process):
@@ -114,6 +114,22 @@ class Batch_test(Program_test):
         return (self.folder / name).stat().st_mtime_ns
 
     # ---- what works ----
+
+    def test_meshes(self):
+        """The summary tells what each mesh was taken for, also where that is why nothing was found."""
+        corners = [(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+        faces = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
+        for name, some in (("box.obj", faces), ("flat.obj", faces[:1])):
+            (self.folder / name).write_text("".join("v %g %g %g\n" % p for p in corners) + "".join(
+                "f " + " ".join(str(v + 1) for v in face) + "\n" for face in some))
+        self.put("cloud.ply")
+        self.put_list("box.obj", "flat.obj", "cloud.ply", "none.obj")
+        self.run_batch("--maximum-number-of-points", 5000, code=SOME_FAILED)
+        self.assertEqual([(row["status"], row["exit_code"], row["mesh"]) for row in self.summary()],
+                         [("ok", "0", "cad"), ("failed", str(NO_FEATURE), "cad"), ("ok", "0", ""),
+                          ("failed", str(BAD_INPUT), "")])
+        self.run_batch("--mesh", "scan", code=SOME_FAILED)
+        self.assertEqual([row["mesh"] for row in self.summary()], ["scan", "scan", "", ""])
 
     def test_good_and_bad_clouds(self):
         self.put("in/a/part.ply")

@@ -178,6 +178,14 @@ class Raw_cloud_test(Program_test):
         self.check_raw("scan.obj", "taken for a scan", options=("--mesh", "scan"))
         error = self.run_tool("scan.obj", "--mesh", "scan", "--field", "given", "-o", "bad.json", code=BAD_INPUT)
         self.assertIn("--field", error)
+        # in STL, every triangle has vertices of its own, which are points once only
+        points = [tuple(struct.unpack("<3f", struct.pack("<3f", *p))) for p in self.points]
+        corners = [points[i:i + 3] for i in range(len(points) - 2)]
+        (self.folder / "scan.stl").write_bytes(bytes(80) + struct.pack("<I", len(corners)) + b"".join(
+            struct.pack("<12f", 0, 0, 0, *(x for p in face for x in p)) + bytes(2) for face in corners))
+        said, _ = self.wireframe("scan.stl", "--mesh", "scan")
+        self.assertRegex(said, rf"Points +{len(points)}\n")
+        self.assertIn("taken for a scan", said)
 
     def test_write_field(self):
         said = self.run_tool("raw.ply", "--write-field", "field.ply", "-o", "out.json")
@@ -192,10 +200,20 @@ class Raw_cloud_test(Program_test):
         _, wireframe = self.wireframe("field.ply", "--field", "given", "--sampling-distance",
                                       values["sampling_distance"], "--noise-level", values["noise_level"])
         self.assertEqual(wireframe, self.raw_wireframe())
+        # the tool reads them back by itself, and says so, unless others are given
+        said, wireframe = self.wireframe("field.ply")
+        self.assertEqual(wireframe, self.raw_wireframe())
+        self.assertRegex(said, r"(?m)^r +\S+ \(from the file\)$")
+        self.assertRegex(said, r"(?m)^Noise .*\(from the file\)$")
+        said, _ = self.wireframe("field.ply", "--sampling-distance", 0.06, "--noise-level", 0.1)
+        self.assertRegex(said, r"(?m)^r +0.06 \(given\)$")
+        self.assertNotIn("from the file", said)
+        for options in (("--distance-property", "deviation"), ("--field", "estimated")):
+            done = self.execute(self.folder, "field.ply", "-o", "other.json", *options)
+            self.assertNotIn("from the file", done.stdout)
         if "needs libpng" not in self.run_tool("--version"):   # the same colours
             self.run_tool("raw.ply", "--png", "raw.png")
-            self.run_tool("field.ply", "--png", "field.png", "--sampling-distance", values["sampling_distance"],
-                          "--noise-level", values["noise_level"])
+            self.run_tool("field.ply", "--png", "field.png")
             self.assertEqual((self.folder / "raw.png").read_bytes(), (self.folder / "field.png").read_bytes())
         self.run_tool("raw.ply", "--write-field", "alone.ply")   # is enough
         self.assertEqual((self.folder / "alone.ply").read_bytes(), data)

@@ -213,7 +213,8 @@ void test_bad_stl()
 void test_bad_obj_and_off()
 {
   refuse(".obj", "", {"is empty"});
-  refuse(".obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", {"holds no faces"});
+  refuse(".obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", {"3 vertices and no faces", "cloud of points", ".xyz"});
+  refuse(".obj", "# nothing\n", {"holds no faces"});
   refuse(".obj", "v 0 0\n", {":1:", "only 2 values"});
   refuse(".obj", "v 0 0 x\n", {":1:", "\"x\", no number"});
   refuse(".obj", "v 0 0 inf\n", {":1:", "finite"});
@@ -239,7 +240,7 @@ void test_bad_obj_and_off()
   refuse(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", {":6:", "vertex 3", "only 3"});
   refuse(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n99999999999 0 1 2\n", {":6:"});
   refuse(".off", "OFF\n1000000000000 1 0\n0 0 0\n", {"after 1 of 1000000000000"});
-  refuse(".off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", {"holds no faces"});
+  refuse(".off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", {"3 vertices and no faces"});
 }
 
 void test_bad_ply()
@@ -259,7 +260,7 @@ void test_bad_ply()
   refuse(".ply", far, {"face 5", "vertex -1"});
   const std::string vertices = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty ";
   refuse(".ply", vertices + "float w\nend_header\n0 0 0\n1 0 0\n0 1 0\n", {"no property \"z\"", "x, y, w"});
-  refuse(".ply", vertices + "float z\nend_header\n0 0 0\n1 0 0\n0 1 0\n", {"holds no faces"});
+  refuse(".ply", vertices + "float z\nend_header\n0 0 0\n1 0 0\n0 1 0\n", {"3 vertices and no faces"});
   refuse(".ply",
          vertices + "float z\nelement face 1\nproperty list uchar int corners\nend_header\n0 0 0\n1 0 0\n0 1 0\n",
          {"vertex_indices", "corners"});

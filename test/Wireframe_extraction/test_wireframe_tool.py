@@ -720,6 +720,15 @@ class Tool_test(Program_test):
         self.refuse(BAD_INPUT, ["box.off", "all distances are 1"], "box.off", "-o", "out.json", "--distances",
                     "distances.txt")
         self.refuse(USAGE_ERROR, ["--mesh"], "box.off", "-o", "out.json", "--distances", "distances.txt", "--mesh", "cad")
+        # and those that are named have to be there
+        for name in ("box.stl", "box.obj"):
+            for option in ("--distance-property", "--distances-dataset", "--distances"):
+                self.refuse(BAD_INPUT, [name, "has no distances", option, ".ply"], name, "-o", "out.json", option,
+                            "distances.txt")
+        for name in ("box.ply", "box.off"):
+            self.refuse(BAD_INPUT, [name, "distances"], name, "-o", "out.json", "--distance-property", "d")
+            self.refuse(USAGE_ERROR, ["--mesh cad", "--distance-property"], name, "-o", "out.json", "--distance-property",
+                        "d", "--mesh", "cad")
         open_box = "".join(f"v {x} {y} {z}\n" for x, y, z in self.VERTICES)
         open_box += "".join("f " + " ".join(str(v + 1) for v in face) + "\n" for face in self.FACES[:5])
         (self.folder / "open.obj").write_text(open_box)
@@ -731,6 +740,7 @@ class Tool_test(Program_test):
         cut = (self.folder / "box.stl").read_bytes()[:-7]
         self.refuse_text(BAD_INPUT, ["12 facets", "truncated"], cut, "c.stl")
         self.refuse_text(BAD_INPUT, ["is empty", "get a complete copy"], "", "c.stl")
+        self.refuse_text(BAD_INPUT, ["2 vertices and no faces", "cloud of points"], "v 0 0 0\nv 1 1 1\nl 1 2\n", "c.obj")
         self.refuse_text(BAD_INPUT, ["c.obj:2:", "1 vertex"], "v 0 0 0\nf 1\n", "c.obj")
         self.refuse_text(BAD_INPUT, ["no face has an area"], "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "c.obj")
         self.refuse_text(BAD_INPUT, ["c.ply", "vertex 9"], (self.folder / "box.ply").read_text().replace("4 4 5 6 7", "4 4 5 6 9"),

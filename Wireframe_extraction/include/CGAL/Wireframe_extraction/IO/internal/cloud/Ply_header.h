@@ -109,6 +109,7 @@ class Ply_header
 public:
   Ply_format format = Ply_format::ASCII;
   std::vector<Ply_element> elements;
+  std::vector<std::string> comments; // without the word
 
   // reads up to the end of the header; errors name the file and the line
   bool read(Chunked_input& input, const std::string& filename, std::string& error)
@@ -167,8 +168,14 @@ private:
   {
     std::vector<std::string_view> words;
     split_at_blanks(line, words);
-    if (words.empty() || words[0] == "comment" || words[0] == "obj_info")
+    if (words.empty() || words[0] == "obj_info")
       return "";
+    if (words[0] == "comment")
+    {
+      const std::string_view keyword = words[0];
+      comments.emplace_back(trim(line.substr(static_cast<std::size_t>(keyword.data() - line.data()) + keyword.size())));
+      return "";
+    }
     if (words[0] == "format")
     {
       is_format_known = true;

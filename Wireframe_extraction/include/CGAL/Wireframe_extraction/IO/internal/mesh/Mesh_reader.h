@@ -114,9 +114,13 @@ private:
           return fail(place(m_lines[i]) + "face " + std::to_string(i) + " (counted from 0) has the vertex "
                       + std::to_string(v) + " (counted from 0), but there are only " + std::to_string(number)
                       + ": the file is truncated or damaged; get a complete copy of it");
-    if (m_soup.polygons.empty())
-      return fail(m_filename + ": holds no faces; write the mesh into it again");
-    return true;
+    if (!m_soup.polygons.empty())
+      return true;
+    return fail(m_filename + ": holds "
+                + (number == 0 ? "no faces; write the mesh into it again"
+                               : plural(number, "vertex", "vertices")
+                       + " and no faces, so it is a cloud of points and no mesh; write these points as .ply or .xyz "
+                         "(x y z in each line) to have them read as a cloud, or write the mesh into it again"));
   }
 
   bool parse_point(const std::vector<std::string_view>& words, std::size_t first, Vector& p)

@@ -40,12 +40,11 @@ Mesh_format find_mesh_format(const std::string& filename);
 struct Mesh_file_content
 {
   bool is_mesh = false;       // of a format for meshes only, or with faces
-  bool has_distances = false; // its vertices have a property for them
+  bool has_distances = false; // its vertices have a property of a known name for them
 };
 
-// Looks at the beginning of a file; of what cannot be read, nothing is known. The name of the property of the distances
-// may be empty.
-Mesh_file_content look_at_mesh_file(const std::string& filename, const std::string& distance_property);
+// Looks at the beginning of a file; of what cannot be read, nothing is known.
+Mesh_file_content look_at_mesh_file(const std::string& filename);
 
 // Reads the vertices and faces of a file. Returns what is wrong, where, and what helps; nothing if all went well.
 std::string read_mesh_file(const std::string& filename, Polygon_soup& soup);

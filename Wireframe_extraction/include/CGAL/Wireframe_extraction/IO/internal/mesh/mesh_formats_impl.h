@@ -44,8 +44,7 @@ CGAL_WIREFRAME_EXTRACTION_INLINE Mesh_format find_mesh_format(const std::string&
 }
 
 // what the header of a PLY file says
-inline Mesh_file_content look_at_ply(Chunked_input& input, const std::string& filename,
-                                     const std::string& distance_property)
+inline Mesh_file_content look_at_ply(Chunked_input& input, const std::string& filename)
 {
   Mesh_file_content content;
   Ply_header header;
@@ -58,7 +57,7 @@ inline Mesh_file_content look_at_ply(Chunked_input& input, const std::string& fi
     if (element.name == "face" || element.name == "faces")
       content.is_mesh = element.count > 0;
     if (element.name == "vertex" || element.name == "vertices")
-      content.has_distances = find_distance_name(names, distance_property) < names.size();
+      content.has_distances = find_distance_name(names, std::string()) < names.size();
   }
   return content;
 }
@@ -87,8 +86,7 @@ inline bool promises_faces(Chunked_input& input)
   return counts[1] > 0;
 }
 
-CGAL_WIREFRAME_EXTRACTION_INLINE Mesh_file_content look_at_mesh_file(const std::string& filename,
-                                                                     const std::string& distance_property)
+CGAL_WIREFRAME_EXTRACTION_INLINE Mesh_file_content look_at_mesh_file(const std::string& filename)
 {
   Mesh_file_content content;
   const Mesh_format format = find_mesh_format(filename);
@@ -99,7 +97,7 @@ CGAL_WIREFRAME_EXTRACTION_INLINE Mesh_file_content look_at_mesh_file(const std::
     return content;
   Chunked_input input(stream);
   if (format == Mesh_format::PLY)
-    return look_at_ply(input, filename, distance_property);
+    return look_at_ply(input, filename);
   content.is_mesh = promises_faces(input);
   return content;
 }
