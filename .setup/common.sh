@@ -5,10 +5,15 @@
 # All that the tool can do: the formats of CAD programs, HDF5, compressed NumPy archives, pictures, and the page of --html.
 packages=(g++ make cmake python3 libcgal-dev libeigen3-dev libceres-dev libtbb-dev nlohmann-json3-dev libcli11-dev
   libocct-data-exchange-dev libhdf5-dev zlib1g-dev libpng-dev libjs-three esbuild)
+# The Python module.
+# shellcheck disable=SC2034
+python_packages=(python3-dev python3-pybind11 python3-numpy)
 # What only the makers of cases from foreign files need, and the tests, which also read what was written, write what is to
 # be read, build the manual, and look at the layout of the source.
 # shellcheck disable=SC2034
-test_packages=(libyaml-cpp-dev python3-ezdxf python3-numpy python3-h5py doxygen clang-format)
+test_packages=(libyaml-cpp-dev python3-ezdxf python3-h5py doxygen clang-format "${python_packages[@]}"
+  python3-pytest python3-scipy python3-pandas python3-networkx python3-matplotlib python3-build python3-setuptools
+  python3-wheel python3-venv mypy)
 # Readers of written files, what draws, and a workflow manager, which are large, for `test/run --all`; what needs them is
 # skipped without.
 # shellcheck disable=SC2034

@@ -100,6 +100,7 @@ else()
     COMMENT "Making the page of extract_wireframe --html"
     VERBATIM)
   add_library(extract_wireframe_viewer STATIC "${viewer_source}")
+  set_target_properties(extract_wireframe_viewer PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_compile_definitions(extract_wireframe_viewer INTERFACE EXTRACT_WIREFRAME_WITH_VIEWER)
   set(viewer_file "${viewer_modules}/three/build/three.core.js")
   if(NOT EXISTS "${viewer_file}")

@@ -1,0 +1,195 @@
+// The class Curve of the module.
+
+#include "Curve_handle.h"
+#include "arrays.h"
+#include "bindings.h"
+
+#include <pybind11/stl.h>
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace python {
+namespace {
+
+namespace py = pybind11;
+
+// the value of a function of a conic; none for other curves
+template <class Function>
+auto of_conic(const Curve_handle& handle, const Function& function)
+  -> std::optional<decltype(function(*handle.curve().conic))>
+{
+  if (!handle.curve().conic)
+    return std::nullopt;
+  return function(*handle.curve().conic);
+}
+
+typedef std::array<double, 3> Triple;
+
+template <class Position>
+Triple to_triple(const Position& p)
+{
+  return {{p.x(), p.y(), p.z()}};
+}
+
+// evaluates something at many parameters, as rows of three numbers
+template <class Function>
+py::array rows_at(const Double_array& parameters, const Function& function)
+{
+  std::vector<double> coordinates;
+  {
+    const py::gil_scoped_release release;
+    coordinates.reserve(3 * static_cast<std::size_t>(parameters.size()));
+    for (py::ssize_t i = 0; i < parameters.size(); ++i)
+      append(function(parameters.data()[i]), coordinates);
+  }
+  return to_rows(std::move(coordinates));
+}
+
+py::array curvature_at(const Curve_handle& handle, const Double_array& parameters)
+{
+  std::vector<double> values;
+  {
+    const py::gil_scoped_release release;
+    values.reserve(static_cast<std::size_t>(parameters.size()));
+    for (py::ssize_t i = 0; i < parameters.size(); ++i)
+      values.push_back(handle.spline().curvature(parameters.data()[i]));
+  }
+  return to_array(std::move(values));
+}
+
+// by step if there is one, else by count
+py::array sample(const Curve_handle& handle, double step, std::size_t count)
+{
+  std::vector<double> coordinates;
+  {
+    const py::gil_scoped_release release;
+    std::vector<Point> points;
+    if (step > 0.)
+      handle.spline().sample_by_distance(step, std::back_inserter(points));
+    else
+      handle.spline().sample_by_count(count, std::back_inserter(points));
+    coordinates.reserve(3 * points.size());
+    for (const Point& p : points)
+      append(p, coordinates);
+  }
+  return to_rows(std::move(coordinates));
+}
+
+// parameters, points and distances
+py::tuple closest(const Curve_handle& handle, const Double_array& queries)
+{
+  const std::vector<Point> points = to_points(queries);
+  std::vector<double> parameters, coordinates, distances;
+  {
+    const py::gil_scoped_release release;
+    std::vector<Wireframe::Curve::Spline::Closest_point> found;
+    found.reserve(points.size());
+    handle.spline().closest_points(points.begin(), points.end(), std::back_inserter(found));
+    for (const auto& one : found)
+    {
+      parameters.push_back(one.parameter);
+      append(one.point, coordinates);
+      distances.push_back(one.distance);
+    }
+  }
+  return py::make_tuple(to_array(std::move(parameters)), to_rows(std::move(coordinates)),
+                        to_array(std::move(distances)));
+}
+
+py::dict uncertainty(const Curve_handle& handle)
+{
+  const auto& values = handle.curve().uncertainty;
+  py::dict result;
+  result["position"] = values.position;
+  result["direction"] = values.direction;
+  result["major_radius"] = values.major_radius;
+  result["minor_radius"] = values.minor_radius;
+  return result;
+}
+
+std::optional<std::size_t> vertex_of(std::size_t index)
+{
+  return index == Wireframe::Curve::no_vertex ? std::nullopt : std::optional<std::size_t>(index);
+}
+
+void bind_values(py::class_<Curve_handle>& curve)
+{
+  typedef const Curve_handle& C;
+  curve.def_property_readonly("type", [](C c) { return to_string(c.curve().type); })
+    .def_property_readonly("closed", [](C c) { return c.curve().is_closed(); })
+    .def_property_readonly("source", [](C c) { return vertex_of(c.curve().source); })
+    .def_property_readonly("target", [](C c) { return vertex_of(c.curve().target); })
+    .def_property_readonly("rms", [](C c) { return c.curve().rms; })
+    .def_property_readonly("max", [](C c) { return c.curve().max; })
+    .def_property_readonly("support", [](C c) { return c.curve().support; })
+    .def_property_readonly("degree", [](C c) { return c.spline().degree(); })
+    .def_property_readonly("range", [](C c) { return c.spline().parameter_range(); })
+    .def_property_readonly("uncertainty", &uncertainty);
+}
+
+void bind_conic(py::class_<Curve_handle>& curve)
+{
+  typedef const Curve_handle& C;
+  curve
+    .def_property_readonly(
+      "radii", [](C c) { return of_conic(c, [](auto& k) { return std::make_pair(k.major_radius, k.minor_radius); }); })
+    .def_property_readonly(
+      "angles", [](C c) { return of_conic(c, [](auto& k) { return std::make_pair(k.start_angle, k.end_angle); }); })
+    .def_property_readonly("center", [](C c) { return of_conic(c, [](auto& k) { return to_triple(k.center); }); })
+    .def_property_readonly("axis", [](C c) { return of_conic(c, [](auto& k) { return to_triple(k.axis); }); })
+    .def_property_readonly("major_direction",
+                           [](C c) { return of_conic(c, [](auto& k) { return to_triple(k.major_direction); }); });
+}
+
+void bind_spline(py::class_<Curve_handle>& curve)
+{
+  typedef const Curve_handle& C;
+  curve
+    .def_property_readonly("knots",
+                           [](const py::object& self) { return view_of(self.cast<C>().spline().knots(), self); })
+    .def_property_readonly(
+      "control_points", [](const py::object& self) { return view_of(self.cast<C>().spline().control_points(), self); })
+    .def_property_readonly("weights", [](const py::object& self) -> py::object {
+      const Wireframe::Curve::Spline& spline = self.cast<C>().spline();
+      if (!spline.is_rational())
+        return py::none();
+      return view_of(spline.weights(), self);
+    });
+}
+
+void bind_functions(py::class_<Curve_handle>& curve)
+{
+  typedef const Curve_handle& C;
+  curve
+    .def(
+      "length", [](C c) { return c.spline().length(); }, py::call_guard<py::gil_scoped_release>())
+    .def("points", [](C c, const Double_array& t) { return rows_at(t, [&](double u) { return c.spline().point(u); }); })
+    .def("derivatives",
+         [](C c, const Double_array& t, std::size_t order) {
+           return rows_at(t, [&](double u) { return c.spline().derivative(u, order); });
+         })
+    .def("tangents",
+         [](C c, const Double_array& t) { return rows_at(t, [&](double u) { return c.spline().tangent(u); }); })
+    .def("curvatures", &curvature_at)
+    .def("sample", &sample)
+    .def("closest", &closest);
+}
+
+} // namespace
+
+void bind_curve(py::module_& module)
+{
+  py::class_<Curve_handle> curve(module, "Curve");
+  bind_values(curve);
+  bind_conic(curve);
+  bind_spline(curve);
+  bind_functions(curve);
+}
+
+} // namespace python

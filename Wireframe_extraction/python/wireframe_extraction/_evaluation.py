@@ -1,0 +1,46 @@
+"""How well a wireframe agrees with the true one."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+from . import _core, _files
+from ._wireframe import Wireframe
+
+
+def evaluate(truth: Wireframe | str | os.PathLike[str], wireframe: Wireframe) -> dict[str, Any]:
+    """Compare a wireframe with the true one, or with another one.
+
+    Parameters
+    ----------
+    truth : Wireframe or path-like
+        The true wireframe, or the name of a file `truth.json` as the generators of this project write it. A wireframe needs
+        a positive `sampling_distance`, which is the unit of all tolerances.
+    wireframe : Wireframe
+        The wireframe that is judged.
+
+    Returns
+    -------
+    dict
+        The scores of the program `evaluate_wireframe`, `chamfer_distance`, `curve_f1` and so on, under their names: lengths in
+        the unit of the cloud, shares from 0 to 1, nan where a score does not apply. `failure` says why the wireframe is no
+        usable result, and is None if it is one.
+
+    Raises
+    ------
+    FileNotFoundError
+        If there is no such file.
+    ValueError
+        If the truth is none.
+    """
+    if not isinstance(wireframe, Wireframe):
+        raise TypeError(f"wireframe is {type(wireframe).__name__}; it has to be a Wireframe, as extract() and read() give it")
+    prediction = _core.to_json(wireframe._core)
+    if not isinstance(truth, Wireframe):
+        return _core.evaluate(_files.existing(truth), False, prediction)
+    if not truth.curves:
+        raise ValueError("truth has no curve; there is nothing to compare with")
+    if not truth.sampling_distance > 0.0:
+        raise ValueError("truth has no sampling_distance, which is the unit of the tolerances")
+    return _core.evaluate(_core.to_json(truth._core), True, prediction)

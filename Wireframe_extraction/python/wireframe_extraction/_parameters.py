@@ -1,0 +1,146 @@
+"""The parameters of an extraction: their names, types and defaults."""
+
+from __future__ import annotations
+
+import difflib
+from typing import Any, Callable, Iterable, Mapping
+
+import numpy as np
+
+from . import _core, _numbers
+
+_DEFAULTS: dict[str, Any] = _core.default_parameters()
+_CHOICES: dict[str, list[str]] = {
+    **_core.choices(),
+    "mesh": ["auto", "cad", "scan"],
+    "field": ["auto", "given", "estimated"],
+    "fusion": ["minimum", "median"],
+}
+# these follow from the cloud unless they are given
+_AUTOMATIC = ("sampling_distance", "noise_level", "corner_residual")
+_INTEGER_RANGES = {
+    "points_in_memory": (1, 2**31 - 1),
+    "number_of_rounds": (1, 1000),
+    "maximum_number_of_points": (100, 50000000),
+}
+
+#: of meshes, with the type of each
+MESH = {"mesh": str, "maximum_facet_fold": float, "maximum_number_of_points": int, "use_boundaries": bool}
+#: of files, with the type of each
+READING = {
+    "field": str,
+    "distance_property": str,
+    "points_dataset": str,
+    "distances_dataset": str,
+    "indices_dataset": str,
+    "use_indices": bool,
+    "patches": bool,
+    "fusion": str,
+}
+#: of the extraction, with the type of each
+EXTRACTION = {name: type(value) for name, value in _DEFAULTS.items()}
+#: of the extraction, as far as meshes and files have them, too
+SHARED = ("sampling_distance", "minimum_fold", "skip_invalid")
+
+_HINTS = {
+    "normals": "normals are not used: the points tell where the surface is folded",
+    "verbose": "nothing is printed; progress takes a function of the share that is done",
+    "n_jobs": "the number of threads is threads",
+    "num_threads": "the number of threads is threads",
+}
+
+
+def default_parameters() -> dict[str, Any]:
+    """Return all parameters of an extraction with their defaults.
+
+    Returns
+    -------
+    dict
+        The value of each parameter under its name. None stands for what follows from the cloud.
+    """
+    return {name: None if name in _AUTOMATIC else value for name, value in _DEFAULTS.items()}
+
+
+def paper_parameters() -> dict[str, Any]:
+    """Return the parameters that give the published method, arXiv 2107.06165, to compare with.
+
+    Returns
+    -------
+    dict
+        What differs from the defaults: ``extract(points, distances, **paper_parameters())``.
+    """
+    return {name: value for name, value in _core.paper_parameters().items() if value != _DEFAULTS[name]}
+
+
+def _unknown(function: str, name: str, known: Iterable[str]) -> TypeError:
+    text = f"{function}() got an unexpected keyword argument '{name}'"
+    if name in _HINTS:
+        return TypeError(f"{text}; {_HINTS[name]}")
+    near = difflib.get_close_matches(name, known, 1, 0.6)
+    return TypeError(text + (f"; did you mean '{near[0]}'?" if near else "; default_parameters() has all parameters"))
+
+
+def _as_integer(name: str, value: Any) -> int:
+    return _numbers.integer(name, value, *_INTEGER_RANGES[name])
+
+
+def _as_text(name: str, value: Any) -> str:
+    if not isinstance(value, str):
+        raise TypeError(f"{name} is {value!r}; it has to be a text")
+    if name in _CHOICES and value not in _CHOICES[name]:
+        raise ValueError(f"{name} is {value!r}; it has to be one of {', '.join(map(repr, _CHOICES[name]))}")
+    return value
+
+
+def _as_boolean(name: str, value: Any) -> bool:
+    if not isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} is {value!r}; it has to be True or False")
+    return bool(value)
+
+
+_CONVERSIONS: dict[type, Callable[[str, Any], Any]] = {
+    int: _as_integer,
+    float: _numbers.real,
+    str: _as_text,
+    bool: _as_boolean,
+}
+
+
+def checked(function: str, given: Mapping[str, Any], known: Mapping[str, type]) -> dict[str, Any]:
+    """Return the parameters that are given, as plain values.
+
+    Parameters
+    ----------
+    function
+        Who was called, for messages.
+    given
+        The parameters. Those that are None have their defaults.
+    known
+        The type of each parameter that there is.
+
+    Raises
+    ------
+    TypeError
+        If there is no such parameter, or its type is another one.
+    ValueError
+        If it cannot have this value. Of numbers, the library looks at the ranges.
+    """
+    result = {}
+    for name, value in given.items():
+        if name not in known:
+            raise _unknown(function, name, known)
+        if value is not None:
+            result[name] = _CONVERSIONS[known[name]](name, value)
+    return result
+
+
+def checked_threads(threads: Any) -> int:
+    """Return a number of threads; 0 stands for as many as there are."""
+    return _numbers.integer("threads", threads, 0, 1024)
+
+
+def checked_progress(progress: Any) -> Any:
+    """Return what is to be called with the share that is done, or None."""
+    if progress is not None and not callable(progress):
+        raise TypeError(f"progress is {progress!r}; it has to be a function of the share that is done, from 0 to 1")
+    return progress

@@ -1,0 +1,277 @@
+"""Extractions: the bits of the tool, whatever the arrays and the threads are; stopping; errors that help."""
+
+import os
+import signal
+import subprocess
+import threading
+import time
+import warnings
+
+import numpy as np
+import pytest
+from conftest import make_cylinder
+
+import wireframe_extraction as we
+
+
+def json_of(wireframe, tmp_path):
+    wireframe.write(tmp_path / "written.json")
+    return (tmp_path / "written.json").read_bytes()
+
+
+def json_of_tool(tool, tmp_path, *arguments):
+    subprocess.run([tool, *map(str, arguments), "-o", str(tmp_path / "tool.json"), "--quiet"], check=True)
+    return (tmp_path / "tool.json").read_bytes()
+
+
+def raw_cylinder(number_of_points=3000):
+    return make_cylinder(number_of_points)[0]
+
+
+@pytest.mark.parametrize("name", ["box_with_hole.ply", "crossing_cylinders.ply", "rounded_plate.stl"])
+def test_same_as_tool(name, data, tool, tmp_path):
+    expected = json_of_tool(tool, tmp_path, data / name)
+    assert json_of(we.extract(data / name), tmp_path) == expected
+    assert json_of(we.extract(*we.read_cloud(str(data / name))), tmp_path) == expected
+
+
+def test_same_as_tool_with_parameters(data, box, tool, tmp_path):
+    options = ["--minimum-evidence", "3", "--recognize-types", "false", "--corner-measure", "variance", "--threads", "1"]
+    expected = json_of_tool(tool, tmp_path, data / "box_with_hole.ply", *options)
+    parameters = {"minimum_evidence": 3, "recognize_types": False, "corner_measure": "variance", "threads": 1}
+    assert json_of(we.extract(*box, **parameters), tmp_path) == expected
+    assert json_of(we.extract(*box), tmp_path) != expected
+
+
+def test_paper(data, box, tool, tmp_path):
+    expected = json_of_tool(tool, tmp_path, data / "box_with_hole.ply", "--paper")
+    assert json_of(we.extract(*box, **we.paper_parameters()), tmp_path) == expected
+
+
+def test_same_as_tool_without_distances(tool, tmp_path):
+    points = raw_cylinder()
+    np.save(tmp_path / "raw.npy", points)
+    expected = json_of_tool(tool, tmp_path, tmp_path / "raw.npy")
+    wireframe = we.extract(points)
+    assert json_of(wireframe, tmp_path) == expected
+    assert wireframe.report.is_field_estimated and wireframe.report.number_of_near_points > 0
+    field = we.estimate_distances(points)
+    assert field.distances.shape == field.deviations.shape == (len(points),)
+    true = make_cylinder(len(points))[1]
+    near = field.distances < field.distances.max()
+    assert np.median(np.abs(field.distances - true)[near]) < wireframe.sampling_distance
+
+
+def test_mesh(data, tool, tmp_path):
+    meshes = [(np.array([(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=float),
+               np.array([(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]))]
+    for vertices, faces in meshes:
+        wireframe = we.extract(vertices, faces=faces, maximum_number_of_points=20000)
+        assert len(wireframe.vertices) == 8 and wireframe.types.tolist() == ["line"] * 12
+        assert wireframe.distance(vertices).max() < 0.01
+    with open(tmp_path / "cube.off", "w") as file:
+        file.write(f"OFF\n{len(vertices)} {len(faces)} 0\n")
+        file.writelines(" ".join(map(str, row)) + "\n" for row in [*vertices, *([4, *face] for face in faces)])
+    expected = json_of_tool(tool, tmp_path, tmp_path / "cube.off", "--maximum-number-of-points", "20000")
+    assert json_of(wireframe, tmp_path) == expected
+
+
+@pytest.mark.parametrize("change", [
+    lambda p, d: (p.astype("f4"), d.astype("f4")),
+    lambda p, d: (p.astype("f4"), d),
+], ids=["both", "points"])
+def test_single_precision(cylinder, change, tmp_path):
+    points, distances = change(*cylinder)
+    expected = json_of(we.extract(points.astype("f8"), distances.astype("f8")), tmp_path)
+    assert json_of(we.extract(points, distances), tmp_path) == expected
+
+
+@pytest.mark.parametrize("change", [
+    lambda p, d: (np.asfortranarray(p), d),
+    lambda p, d: (np.hstack([p, p])[:, :3], np.repeat(d, 2)[::2]),
+    lambda p, d: (p[::-1].copy()[::-1], d[::-1].copy()[::-1]),
+    lambda p, d: (np.repeat(p, 3, axis=0)[::3], d[:, None]),
+    lambda p, d: (p[:, ::-1].copy()[:, ::-1], d),
+    lambda p, d: (p.tolist(), d.tolist()),
+    lambda p, d: (p.astype(">f8"), d.astype(">f8")),
+    lambda p, d: (records(p)["position"], records(p, d)["distance"]),
+], ids=["columns", "part", "reversed", "every third", "mirrored", "lists", "big endian", "unaligned"])
+def test_strides(cylinder, change, tmp_path):
+    expected = json_of(we.extract(*cylinder), tmp_path)
+    points, distances = change(*cylinder)
+    assert json_of(we.extract(points, distances), tmp_path) == expected
+
+
+def records(points, distances=0.0):
+    """Return packed records, in which numbers are not aligned."""
+    result = np.zeros(len(points), dtype=[("flag", "u1"), ("position", "f8", 3), ("distance", "f8")])
+    result["position"], result["distance"] = points, distances
+    return result
+
+
+def test_arrays_are_left_alone(cylinder):
+    points, distances = (array.copy() for array in cylinder)
+    for array in (points, distances):
+        array.setflags(write=False)
+    we.extract(points, distances)
+    assert np.array_equal(points, cylinder[0]) and np.array_equal(distances, cylinder[1])
+
+
+def test_integers():
+    axes = np.arange(40)
+    points = np.array([(x, y, z) for x in axes for y in axes for z in (0, 39)])
+    points = np.unique(np.vstack([points, points[:, [2, 0, 1]], points[:, [1, 2, 0]]]), axis=0)
+    beyond = np.sort(np.minimum(points, 39 - points), axis=1)
+    wireframe = we.extract(points, beyond[:, 1])
+    assert len(wireframe.vertices) == 8 and wireframe.types.tolist() == ["line"] * 12
+
+
+@pytest.mark.parametrize("threads", [1, 2, 5])
+def test_threads(box, box_wireframe, threads, tmp_path):
+    assert json_of(we.extract(*box, threads=threads), tmp_path) == json_of(box_wireframe, tmp_path)
+
+
+def test_result(cylinder):
+    wireframe = we.extract(*cylinder)
+    assert wireframe.types.tolist() == ["circle"] * 2 and wireframe.edges.tolist() == [[-1, -1]] * 2
+    assert wireframe.vertices.shape == (0, 3) and wireframe.is_valid()
+    assert [curve.radius for curve in wireframe.curves] == pytest.approx([1, 1], abs=1e-3)
+    report = wireframe.report
+    assert report.status == "success" and report.number_of_points == len(cylinder[0]) and report.number_of_curves == 2
+    assert report.sampling_distance == wireframe.sampling_distance > 0 and "contraction" in report.seconds
+    assert not report.is_field_estimated and report.message == "" and report.warnings == []
+
+
+def test_progress(box):
+    shares = []
+    we.extract(*box, progress=shares.append)
+    assert shares[-1] == 1 and shares == sorted(set(shares)) and all(0 < share <= 1 for share in shares)
+
+
+def test_progress_that_raises(box):
+    def stop(share):
+        raise KeyError("enough")
+    with pytest.raises(KeyError, match="enough"):
+        we.extract(*box, progress=stop)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="needs signals")
+@pytest.mark.parametrize("work", [
+    lambda: we.estimate_distances(raw_cylinder(300000)),
+    lambda: we.extract(*make_cylinder(3000000)),
+    lambda: we.Extractor(raw_cylinder(300000)).wireframe,
+    lambda: we.extract_many([raw_cylinder(300000)] * 3),
+], ids=["estimate", "extract", "stages", "many"])
+def test_interrupt(work):
+    stopped_at = []
+
+    def interrupt():
+        stopped_at.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+    timer = threading.Timer(0.7, interrupt)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        work()
+    # within a second where nothing else runs; here other tests may
+    assert time.monotonic() - stopped_at[0] < 4
+
+
+def test_other_threads_go_on(box):
+    counts = []
+    thread = threading.Thread(target=lambda: counts.append(we.extract(*box, threads=1)))
+    thread.start()
+    steps = 0
+    while thread.is_alive():
+        time.sleep(0.001)
+        steps += 1
+    assert steps > 20 and len(counts[0].curves) == 14
+
+
+def test_no_feature():
+    random = np.random.default_rng(5).normal(size=(4000, 3))
+    sphere = random / np.linalg.norm(random, axis=1)[:, None]
+    with pytest.warns(we.ExtractionWarning, match="no wireframe"):
+        wireframe = we.extract(sphere)
+    assert not wireframe.curves and wireframe.report.status == "no_feature" and "20 degrees" in wireframe.report.message
+    assert wireframe.distance([0, 0, 0]).tolist() == [np.inf] and wireframe.sample()[0].shape == (0, 3)
+
+
+def test_skip_invalid(cylinder, tmp_path):
+    points, distances = (np.concatenate([array[:1] * np.nan, array]) for array in cylinder)
+    with pytest.raises(ValueError, match=r"1 points .* index 0 .* skip_invalid=True"):
+        we.extract(points, distances)
+    wireframe = we.extract(points, distances, skip_invalid=True)
+    assert wireframe.report.number_of_skipped_points == 1
+    assert json_of(wireframe, tmp_path) == json_of(we.extract(*cylinder), tmp_path)
+
+
+def test_library_warnings(cylinder):
+    points, distances = cylinder
+    with pytest.warns(we.ExtractionWarning, match="large errors or another unit") as caught:
+        wireframe = we.extract(points, distances * 5)
+    assert wireframe.report.warnings and caught[0].filename == __file__
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        we.extract(points, distances)
+
+
+P, D = make_cylinder(500)
+
+
+@pytest.mark.parametrize("call, error, text", [
+    (lambda: we.extract(P[:, :2]), ValueError, "(500, 2); it has to be (n, 3)"),
+    (lambda: we.extract(P.T), ValueError, ".T"),
+    (lambda: we.extract(np.column_stack([P, D])), ValueError, "[:, :3] and [:, 3]"),
+    (lambda: we.extract(P[None]), ValueError, ".reshape(-1, 3)"),
+    (lambda: we.extract(P[0]), ValueError, "(3,)"),
+    (lambda: we.extract(3.0), ValueError, "()"),
+    (lambda: we.extract([[1, 2, 3], [4, 5]]), ValueError, "points"),
+    (lambda: we.extract(None), TypeError, "points is None"),
+    (lambda: we.extract({"a": 1}), TypeError, "dtype object"),
+    (lambda: we.extract([["a", "b", "c"]]), TypeError, "dtype <U1"),
+    (lambda: we.extract(P * 1j), TypeError, "complex"),
+    (lambda: we.extract(P > 0), TypeError, "bool"),
+    (lambda: we.extract(records(P)), ValueError, "flag, position, distance"),
+    (lambda: we.extract(np.ma.masked_less(P, 0)), ValueError, "masked"),
+    (lambda: we.extract(np.empty((0, 3))), ValueError, "no points"),
+    (lambda: we.extract(P[:1].repeat(9, 0)), ValueError, "coincide"),
+    (lambda: we.extract(P, D[:-1]), ValueError, "499 numbers for 500 points"),
+    (lambda: we.extract(P, np.stack([D, D])), ValueError, "distances has the shape (2, 500)"),
+    (lambda: we.extract(P, -D - 1), ValueError, "negative"),
+    (lambda: we.extract(P, D * 0), ValueError, "all distances are 0"),
+    (lambda: we.extract(P, D, faces=[[0, 1, 2]]), ValueError, "both distances and faces"),
+    (lambda: we.extract(P, faces=[[0, 1, 500]]), ValueError, "faces[0] is [0, 1, 500]"),
+    (lambda: we.extract(P, faces=[[0, 1, -1]]), ValueError, "faces[0]"),
+    (lambda: we.extract(P, faces=[[0.0, 1, 2]]), TypeError, "integers"),
+    (lambda: we.extract(P, faces=[[0, 1]]), ValueError, "(1, 2)"),
+    (lambda: we.extract(P, D, corner_radus=4), TypeError, "did you mean 'corner_radius'?"),
+    (lambda: we.extract(P, D, normals=P), TypeError, "normals are not used"),
+    (lambda: we.extract(P, D, qwertz=4), TypeError, "default_parameters()"),
+    (lambda: we.extract(P, D, corner_radius="4"), TypeError, "corner_radius is '4'; it has to be a number"),
+    (lambda: we.extract(P, D, corner_radius=True), TypeError, "corner_radius is True"),
+    (lambda: we.extract(P, D, corner_radius=-4), ValueError, "corner_radius is -4; it must be finite, more than 0"),
+    (lambda: we.extract(P, D, corner_radius=np.nan), ValueError, "corner_radius is nan"),
+    (lambda: we.extract(P, D, corner_radius=10**400), ValueError, "corner_radius is inf"),
+    (lambda: we.extract(P, D, number_of_rounds=10**30), ValueError, "number_of_rounds"),
+    (lambda: we.extract(P, D, number_of_rounds=2.0), TypeError, "integer"),
+    (lambda: we.extract(P, D, points_in_memory=-1), ValueError, "points_in_memory is -1"),
+    (lambda: we.extract(P, D, use_creases=1), TypeError, "True or False"),
+    (lambda: we.extract(P, D, graph_method="trace"), ValueError, "'traced', 'subdivided'"),
+    (lambda: we.extract(P, D, mesh="cad"), ValueError, "mesh has no effect"),
+    (lambda: we.extract(P, D, patches=True), ValueError, "the name of a file"),
+    (lambda: we.extract(P, D, threads=-1), ValueError, "threads is -1"),
+    (lambda: we.extract(P, D, threads=1.5), TypeError, "threads is 1.5"),
+    (lambda: we.extract(P, D, progress=3), TypeError, "progress is 3"),
+    (lambda: we.extract(P, D, sampling_distance=100), ValueError, "does not fit the points"),
+    (lambda: we.extract("no such file.ply"), FileNotFoundError, "no such file.ply"),
+    (lambda: we.extract(__file__), ValueError, "unknown extension"),
+    (lambda: we.extract("a\0b.ply"), FileNotFoundError, "b.ply"),
+    (lambda: we.estimate_distances(P, minimum_fold=200), ValueError, "minimum_fold is 200"),
+    (lambda: we.estimate_distances(P[:, :2]), ValueError, "(500, 2)"),
+    (lambda: we.Extractor(P, D, corner_radus=4), TypeError, "Extractor() got an unexpected keyword argument"),
+    (lambda: we.Extractor(P * np.nan, D).skeleton, ValueError, "not finite"),
+])
+def test_bad_input(call, error, text):
+    with pytest.raises(error) as raised:
+        call()
+    assert text in str(raised.value)

@@ -1,0 +1,166 @@
+"""Files: clouds in all formats, wireframes in and out."""
+
+import os
+import pickle
+import xml.etree.ElementTree
+
+import numpy as np
+import pytest
+import shapes
+
+import wireframe_extraction as we
+
+FORMATS = ["json", "dxf", "obj", "ply", "vtp", "gltf", "glb", "svg", "csv", "polylines.txt", "txt", "cgal", "html"]
+
+
+@pytest.mark.parametrize("extension", FORMATS)
+def test_formats(box_wireframe, extension, tmp_path):
+    path = tmp_path / f"wireframe.{extension}"
+    box_wireframe.write(path)
+    assert path.stat().st_size > 500 and os.listdir(tmp_path) == [path.name]
+
+
+@pytest.mark.parametrize("extension", ["step", "STP", "iges", "igs", "brep"])
+def test_formats_of_cad_programs(box_wireframe, extension, tmp_path):
+    pytest.importorskip("wireframe_extraction._cad")
+    path = tmp_path / f"wireframe.{extension}"
+    box_wireframe.write(path, unit="in")
+    assert path.stat().st_size > 500
+    if extension == "step":
+        text = path.read_text()
+        assert text.count("=CIRCLE(") + text.count("= CIRCLE(") == 2 and "INCH" in text
+
+
+def test_options(box_wireframe, tmp_path):
+    box_wireframe.write(tmp_path / "coarse.obj", step=10)
+    box_wireframe.write(tmp_path / "fine.obj", step=0.001)
+    assert (tmp_path / "fine.obj").stat().st_size > 10 * (tmp_path / "coarse.obj").stat().st_size
+    box_wireframe.write(tmp_path / "splines.obj", obj_splines=True)
+    assert "cstype" in (tmp_path / "splines.obj").read_text()
+    box_wireframe.write(tmp_path / "feet.dxf", unit="ft")
+    assert (tmp_path / "feet.dxf").read_text() != (box_wireframe.write(tmp_path / "mm.dxf"),
+                                                   (tmp_path / "mm.dxf").read_text())[1]
+
+
+def test_there_and_back(box_wireframe, tmp_path):
+    box_wireframe.write(tmp_path / "one.json")
+    read = we.read(tmp_path / "one.json")
+    read.write(tmp_path / "two.json")
+    assert (tmp_path / "one.json").read_bytes() == (tmp_path / "two.json").read_bytes()
+    assert read.report is None and repr(read) == repr(box_wireframe)
+    copy = pickle.loads(pickle.dumps(box_wireframe))
+    copy.write(tmp_path / "three.json")
+    assert (tmp_path / "one.json").read_bytes() == (tmp_path / "three.json").read_bytes()
+    assert copy.report == box_wireframe.report
+
+
+def test_names(box_wireframe, tmp_path):
+    for name in ("with space.json", "ümlaut.json", os.fsencode(tmp_path) + b"/not \xff text.json"):
+        path = tmp_path / name if isinstance(name, str) else name
+        box_wireframe.write(path)
+        assert len(we.read(path).curves) == 14
+        assert len(we.read(os.fsdecode(path)).curves) == 14
+
+
+def test_empty_wireframe(tmp_path):
+    wireframe = we.Wireframe()
+    assert wireframe.is_valid() and wireframe.vertices.shape == (0, 3) and wireframe.edges.shape == (0, 2)
+    wireframe.write(tmp_path / "empty.json")
+    assert we.read(tmp_path / "empty.json").curves == ()
+
+
+@pytest.mark.parametrize("name, error, text", [
+    ("a.foo", ValueError, "unknown extension '.foo' of a wireframe; known are .step"),
+    ("a", ValueError, "unknown extension ''"),
+    ("missing/a.json", OSError, "missing"),
+    ("missing/a.html", OSError, "missing"),
+])
+def test_bad_names(box_wireframe, name, error, text, tmp_path):
+    with pytest.raises(error) as raised:
+        box_wireframe.write(tmp_path / name)
+    assert text in str(raised.value)
+
+
+@pytest.mark.parametrize("arguments, text", [({"unit": "mile"}, "um, mm"), ({"schema": "ap1"}, "ap242"),
+                                             ({"step": -1}, "positive")])
+def test_bad_options(box_wireframe, arguments, text, tmp_path):
+    with pytest.raises(ValueError, match=text):
+        box_wireframe.write(tmp_path / "a.obj", **arguments)
+    assert not os.listdir(tmp_path)
+
+
+@pytest.mark.parametrize("text, message", [
+    ("", "empty"), ("{", "no valid JSON"), ("{}", "is no wireframe"),
+    ('{"format":"wireframe","version":2}', "version 2"),
+    ('{"format":"wireframe","version":1,"sampling_distance":1,"vertices":[],"curves":[{"type":"x"}]}', "curve 0"),
+])
+def test_bad_wireframes(text, message, tmp_path):
+    (tmp_path / "bad.json").write_text(text)
+    with pytest.raises(ValueError, match=message):
+        we.read(tmp_path / "bad.json")
+    with pytest.raises(FileNotFoundError):
+        we.read(tmp_path / "missing.json")
+    with pytest.raises(ValueError):
+        we.read(tmp_path)
+
+
+def test_read_cloud(cylinder, data, tmp_path):
+    points, distances = cylinder
+    np.savez(tmp_path / "cloud.npz", points=points, distances=distances)
+    np.savetxt(tmp_path / "cloud.xyz", points, fmt="%.17g")
+    np.save(tmp_path / "distances.npy", distances)
+    cloud = we.read_cloud(tmp_path / "cloud.npz")
+    assert np.array_equal(cloud.points, points) and np.array_equal(cloud.distances, distances)
+    bare = we.read_cloud(tmp_path / "cloud.xyz")
+    assert np.array_equal(bare.points, points) and bare.distances is None
+    joined = we.read_cloud(tmp_path / "cloud.xyz", tmp_path / "distances.npy")
+    assert np.array_equal(joined.distances, distances)
+    assert we.read_cloud(tmp_path / "cloud.npz", field="estimated").distances is None
+    with pytest.raises(ValueError, match="distance"):
+        we.read_cloud(tmp_path / "cloud.xyz", field="given")
+    assert len(we.read_cloud(data / "rounded_plate.stl", sampling_distance=0.05).points) > 1000
+
+
+def test_read_patches(cylinder, tmp_path):
+    h5py = pytest.importorskip("h5py")
+    points, distances = cylinder
+    with h5py.File(tmp_path / "patches.hdf5", "w") as file:
+        file["points"] = np.stack([points[:4000], points[1000:]])
+        file["distances"] = np.stack([distances[:4000], distances[1000:]])
+    try:
+        cloud = we.read_cloud(tmp_path / "patches.hdf5", patches=True)
+    except ValueError as error:
+        pytest.skip(str(error))   # the module was built without HDF5
+    assert len(cloud.points) == len(points)
+    assert len(we.extract(tmp_path / "patches.hdf5", patches=True).curves) == 2
+
+
+@pytest.mark.parametrize("arguments, parameters, error, text", [
+    ((["a", "b"],), {}, ValueError, "patches=True"),
+    (([],), {}, ValueError, "no file"),
+    (("a.ply", np.zeros(3)), {}, TypeError, "name of a file"),
+    (("a.ply",), {"fild": "auto"}, TypeError, "did you mean 'field'?"),
+    (("a.ply",), {"field": "none"}, ValueError, "'auto', 'given', 'estimated'"),
+    (("a.ply",), {}, FileNotFoundError, "a.ply"),
+    ((3,), {}, TypeError, "int"),
+])
+def test_bad_clouds(arguments, parameters, error, text):
+    with pytest.raises(error) as raised:
+        we.read_cloud(*arguments, **parameters)
+    assert text in str(raised.value)
+
+
+def test_message_of_a_file_names_it(tmp_path):
+    np.savetxt(tmp_path / "flat.xyz", np.zeros((9, 3)))
+    with pytest.raises(ValueError, match=r"flat\.xyz: all points coincide"):
+        we.extract(tmp_path / "flat.xyz")
+
+
+def test_invalid_wireframe_is_not_written(tmp_path):
+    path = shapes.write(tmp_path / "line.json", [(0, 0, 0), (1, 0, 0)], [shapes.line((0, 0, 0), (1, 0, 0))])
+    assert we.read(path).is_valid()
+
+
+def test_drawing_is_xml(box_wireframe, tmp_path):
+    box_wireframe.write(tmp_path / "drawing.svg")
+    assert xml.etree.ElementTree.parse(tmp_path / "drawing.svg").getroot().tag.endswith("svg")
