@@ -114,6 +114,17 @@ class Raw_cloud_test(Program_test):
         self.check_raw("axes.xyz", "columns 4 to 6 are taken for a normal")
         self.write_text("cloudcompare.txt", [(*p, 200, 31, 0, 0., 0.6, -0.8) for p in self.points])
         self.check_raw("cloudcompare.txt", "columns 4 to 6 are taken for a colour")
+        self.write_text("header.txt", [(*p, 200, 31, 0, 0.25) for p in self.points], first="//X Y Z R G B far\n")
+        self.check_raw("header.txt", "none of far is known to be a distance")
+        body = "".join("%r %r %r 1 0.25\n" % p for p in self.points)
+        (self.folder / "far.ply").write_text(
+            f"ply\nformat ascii 1.0\nelement vertex {len(self.points)}\n" + "".join(
+                f"property float {name}\n" for name in ("x", "y", "z", "confidence", "far")) + "end_header\n" + body)
+        self.check_raw("far.ply", "none of far is known to be a distance")
+        (self.folder / "far.pcd").write_text(
+            "VERSION 0.7\nFIELDS x y z intensity far\nSIZE 4 4 4 4 4\nTYPE F F F F F\nCOUNT 1 1 1 1 1\n"
+            f"WIDTH {len(self.points)}\nHEIGHT 1\nPOINTS {len(self.points)}\nDATA ascii\n" + body)
+        self.check_raw("far.pcd", "none of far is known to be a distance")
         rows = "".join("%r,%r,%r\n" % p for p in self.points)
         (self.folder / "paraview.csv").write_text('"Points:0","Points:1","Points:2"\n' + rows)
         self.check_raw("paraview.csv")
@@ -144,7 +155,7 @@ class Raw_cloud_test(Program_test):
         self.assertEqual(self.wireframe("seven.xyz", "--distance-property", 7)[1], expected)
         self.check_raw("seven.xyz", options=("--field", "estimated"))
         self.write_text("other.xyz", [(*s, 1.) for s in samples], first="x y z d e\n")
-        self.check_raw("other.xyz")   # names, none of which is a distance
+        self.check_raw("other.xyz", "none of d, e is known to be a distance", "--distance-property")
 
     def test_formats(self):
         rows = "".join("%r %r %r\n" % p for p in self.points)

@@ -16,6 +16,7 @@
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Inflater.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Npy_reader.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Number_array.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/property_names.h>
 #include <CGAL/Wireframe_extraction/IO/internal/file/byte_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/file/file_tools.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>

@@ -15,6 +15,7 @@
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_chunk.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_filter.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_sink.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/property_names.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 
 #include <algorithm>

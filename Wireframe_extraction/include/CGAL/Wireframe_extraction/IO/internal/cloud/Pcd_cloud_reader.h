@@ -16,6 +16,7 @@
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Chunked_input.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_filter.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_sink.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/property_names.h>
 #include <CGAL/Wireframe_extraction/IO/internal/file/byte_tools.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 
@@ -52,7 +53,9 @@ public:
       return false;
     if (!read_header() || !find_wanted_fields())
       return false;
-    sink.describe(m_options.distances != nullptr || m_number_of_wanted == 4, std::string());
+    const bool is_none_found = m_options.looks_for_distances() && m_number_of_wanted == 3;
+    sink.describe(m_options.distances != nullptr || m_number_of_wanted == 4,
+                  is_none_found ? no_distance_note(m_names) : std::string());
     return (m_is_binary ? read_binary(sink) : read_ascii(sink)) && m_filter.is_cloud_usable(m_filename, m_error);
   }
 

@@ -17,6 +17,7 @@
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Ply_header.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_filter.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_sink.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/property_names.h>
 #include <CGAL/Wireframe_extraction/IO/internal/file/byte_tools.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 
@@ -92,7 +93,10 @@ public:
   // stops the reading by returning `false`
   bool read(Sample_sink& sink)
   {
-    sink.describe(m_options.distances != nullptr || m_number_of_wanted == 4, std::string());
+    const bool is_none_found = m_options.looks_for_distances() && m_number_of_wanted == 3;
+    sink.describe(m_options.distances != nullptr || m_number_of_wanted == 4,
+                  is_none_found ? no_distance_note(m_header.elements[m_vertex_element].property_names())
+                                : std::string());
     for (std::size_t i = 0; i < m_vertex_element; ++i)
       if (!skip_element(m_header.elements[i]))
         return fail_truncated("in the element " + quote(m_header.elements[i].name) + ", before the vertices");

@@ -80,48 +80,6 @@ struct Cloud_reader_options
   }
 };
 
-// names of the field's property, in the order in which they are looked for
-inline const std::vector<std::string>& known_distance_names()
-{
-  static const std::vector<std::string> names = {"distance", "distances", "sharpness", "scalar_distance", "quality"};
-  return names;
-}
-
-// index of a name, an exact match before one that differs in case; `names.size()` if there is none
-inline std::size_t find_name(const std::vector<std::string>& names, const std::string& wanted)
-{
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == wanted)
-      return i;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (to_lower(names[i]) == to_lower(wanted))
-      return i;
-  return names.size();
-}
-
-// what CloudCompare writes before the names of scalar fields
-inline const char* scalar_prefix() { return "scalar_"; }
-
-inline std::string without_scalar_prefix(const std::string& name)
-{
-  return starts_with(to_lower(name), scalar_prefix()) ? name.substr(std::string(scalar_prefix()).size()) : name;
-}
-
-// index of the field's property, also behind the prefix of CloudCompare; `names.size()` if there is none
-inline std::size_t find_distance_name(const std::vector<std::string>& names, const std::string& wanted)
-{
-  const std::vector<std::string> candidates =
-    wanted.empty() ? known_distance_names() : std::vector<std::string>{wanted};
-  for (const std::string& prefix : {std::string(), std::string(scalar_prefix())})
-    for (const std::string& candidate : candidates)
-    {
-      const std::size_t index = find_name(names, prefix + candidate);
-      if (index < names.size())
-        return index;
-    }
-  return names.size();
-}
-
 // Looks at every sample of a file in turn: completes it by its separate distance, and counts those that
 // no algorithm can use.
 class Sample_filter

@@ -17,6 +17,7 @@
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_sink.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Text_table.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Unnamed_columns.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/property_names.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 
 #include <algorithm>
@@ -218,6 +219,7 @@ private:
     if (!m_options.needs_distances() && (m_names.size() != 4 || is_other_name(m_names[other_column()])))
     {
       m_number_of_wanted = 3;
+      m_assumption = no_distance_note(m_names);
       return true;
     }
     if (m_names.size() > 4 || is_other_name(m_names[other_column()]))
@@ -231,15 +233,6 @@ private:
 
   // of four columns the one besides the coordinates
   std::size_t other_column() const { return 6 - m_columns[0] - m_columns[1] - m_columns[2]; }
-
-  // what scanners write behind the coordinates
-  static bool is_other_name(const std::string& name)
-  {
-    static const std::vector<std::string> names = {"intensity", "i",    "reflectance",    "reflectivity", "label",
-                                                   "class",     "id",   "classification", "time",         "timestamp",
-                                                   "rgb",       "rgba", "gray",           "grey",         "curvature"};
-    return find_name(names, without_scalar_prefix(name)) < names.size();
-  }
 
   bool fail_at_names(const std::string& what)
   {

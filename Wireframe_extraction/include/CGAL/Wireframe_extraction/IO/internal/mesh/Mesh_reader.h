@@ -15,6 +15,7 @@
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Chunked_cloud_reader.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Ply_cloud_reader.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Ply_header.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/property_names.h>
 #include <CGAL/Wireframe_extraction/IO/internal/file/byte_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/mesh/mesh_formats.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>

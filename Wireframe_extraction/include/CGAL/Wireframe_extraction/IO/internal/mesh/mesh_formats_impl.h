@@ -14,7 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Chunked_input.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Ply_header.h>
-#include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_filter.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/property_names.h>
 #include <CGAL/Wireframe_extraction/IO/internal/file/file_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/mesh/Mesh_reader.h>
 #include <CGAL/Wireframe_extraction/IO/internal/mesh/mesh_formats.h>
