@@ -1,5 +1,6 @@
 // Clouds that are no good: each ends with a wireframe that can be trusted, or with none and a reason.
 
+#include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
 #include <CGAL/extract_wireframe.h>
 
 #include "sample_clouds.h"

@@ -9,6 +9,7 @@
 #include <CGAL/Wireframe_extraction/detect_corners.h>
 #include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
 #include <CGAL/Wireframe_extraction/fit_curves.h>
+#include <CGAL/Wireframe_extraction/recognize_curve_types.h>
 #include <CGAL/Wireframe_extraction/select_skeleton.h>
 #include <CGAL/extract_wireframe.h>
 
@@ -289,6 +290,32 @@ struct Graph_counter : WE::Default_visitor
   }
 };
 
+// keeps what it sees
+template <class Traits>
+struct Keeper : WE::Default_visitor
+{
+  CGAL::Wireframe_skeleton<Traits> selected, contracted;
+  std::vector<CGAL::Wireframe_corner<Traits>> corners;
+  std::vector<std::vector<std::size_t>> clusters;
+  CGAL::Wireframe_graph<Traits> graph;
+  CGAL::Wireframe<Traits> fitted, typed;
+
+  void skeleton_selected(const CGAL::Wireframe_skeleton<Traits>& s) { selected = s; }
+  void skeleton_contracted(const CGAL::Wireframe_skeleton<Traits>& s) { contracted = s; }
+  void corners_detected(const CGAL::Wireframe_skeleton<Traits>&,
+                        const std::vector<CGAL::Wireframe_corner<Traits>>& detected)
+  {
+    corners = detected;
+  }
+  void curves_segmented(const CGAL::Wireframe_skeleton<Traits>&, const std::vector<std::vector<std::size_t>>& segmented)
+  {
+    clusters = segmented;
+  }
+  void graph_built(const CGAL::Wireframe_graph<Traits>& built) { graph = built; }
+  void curves_fitted(const CGAL::Wireframe<Traits>& wireframe) { fitted = wireframe; }
+  void types_recognized(const CGAL::Wireframe<Traits>& wireframe) { typed = wireframe; }
+};
+
 const std::vector<std::string> all_calls{"unit",     "skeleton", "contraction", "corners",
                                          "clusters", "graph",    "curves",      "types"};
 
@@ -317,6 +344,61 @@ void test_visitor()
     sample.second += 1.;
   assert(CGAL::extract_wireframe(far, WP::visitor(std::ref(disappointed))).is_empty());
   assert(disappointed.calls == std::vector<std::string>{"unit"});
+}
+
+// the types are the user's, and what is in them is what the stages give that are called one by one
+template <class Kernel, class Points, class NamedParameters>
+void test_seen(const Points& points, const NamedParameters& np)
+{
+  Keeper<Kernel> seen;
+  const CGAL::Wireframe<Kernel> wireframe = CGAL::extract_wireframe(points, np.visitor(std::ref(seen)));
+  assert(are_equal(expected(), wireframe) && are_equal(wireframe, seen.typed));
+
+  CGAL::Wireframe_skeleton<Kernel> skeleton = WE::select_skeleton(points, np);
+  assert(seen.selected.size() == skeleton.size() && !seen.selected.is_contracted());
+  WE::contract_skeleton(skeleton);
+  assert(seen.contracted.size() == skeleton.size() && seen.contracted.is_contracted());
+  for (std::size_t i = 0; i < skeleton.size(); ++i)
+  {
+    assert(seen.selected.index(i) == skeleton.index(i) && seen.selected.distance(i) == skeleton.distance(i));
+    assert(coordinates<Kernel>(seen.selected.point(i)) == coordinates<Kernel>(skeleton.point(i)));
+    assert(coordinates<Kernel>(seen.contracted.foot(i)) == coordinates<Kernel>(skeleton.foot(i)));
+  }
+  const auto corners = WE::detect_corners(skeleton);
+  assert(seen.corners.size() == corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    assert(coordinates<Kernel>(seen.corners[i].center) == coordinates<Kernel>(corners[i].center));
+    assert(seen.corners[i].radius == corners[i].radius && seen.corners[i].members == corners[i].members);
+  }
+  const auto clusters = WE::segment_curves(skeleton, corners);
+  assert(seen.clusters == clusters);
+  const auto graph = WE::build_topological_graph(skeleton, corners, clusters);
+  assert(num_vertices(seen.graph) == num_vertices(graph) && num_edges(seen.graph) == num_edges(graph));
+  for (std::size_t v = 0; v < num_vertices(graph); ++v)
+  {
+    assert(coordinates<Kernel>(get(CGAL::vertex_point, seen.graph, v))
+           == coordinates<Kernel>(get(CGAL::vertex_point, graph, v)));
+    assert(seen.graph[v].is_corner == graph[v].is_corner);
+  }
+  auto other = edges(seen.graph).first;
+  for (const auto e : boost::make_iterator_range(edges(graph)))
+  {
+    assert(source(*other, seen.graph) == source(e, graph) && target(*other, seen.graph) == target(e, graph));
+    assert(seen.graph[*other++].curve_id == graph[e].curve_id);
+  }
+  const CGAL::Wireframe<Kernel> fitted = WE::fit_curves(skeleton, graph);
+  assert(are_equal(seen.fitted, fitted));
+  assert(are_equal(seen.typed, WE::recognize_curve_types(skeleton, fitted)));
+}
+
+void test_seen_by_kernels()
+{
+  test_seen<Epick>(cloud<Epick>(), WP::skip_invalid(false));
+  std::vector<std::pair<Minimal_point, double>> points;
+  for (const auto& sample : cloud<Cartesian>())
+    points.emplace_back(Minimal_point(sample.first.x(), sample.first.y(), sample.first.z()), sample.second);
+  test_seen<Minimal_traits>(points, WP::skip_invalid(false).geom_traits(Minimal_traits()));
 }
 
 // ---- callbacks
@@ -429,6 +511,7 @@ int main()
   test_point_set();
   test_indices();
   test_visitor();
+  test_seen_by_kernels();
   test_progress();
   test_cancelling();
   test_paper_defaults();

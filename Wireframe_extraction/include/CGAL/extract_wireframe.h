@@ -12,9 +12,14 @@
 #ifndef CGAL_EXTRACT_WIREFRAME_H
 #define CGAL_EXTRACT_WIREFRAME_H
 
-#include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
-#include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
-#include <CGAL/Wireframe_extraction/internal/pipeline/Extraction.h>
+#include <CGAL/Wireframe_extraction/Default_visitor.h>
+#include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
+#include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Range_source.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/cloud_access.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/extracted_wireframe.h>
+#include <CGAL/Wireframe_extraction/parameters.h>
 
 namespace CGAL {
 
@@ -130,8 +135,7 @@ extract_wireframe(const PointRange& points, const NamedParameters& np = CGAL::pa
   typedef internal::Cloud_access<PointRange, NamedParameters> Access;
   const Access access(np);
   internal::Range_source<PointRange, Access> source(points, access);
-  internal::Extraction<typename Access::Geom_traits, NamedParameters> extraction(access.traits(), np);
-  return internal::run_concurrently<ConcurrencyTag>([&] { return extraction.run(source, false); });
+  return internal::extracted_wireframe<ConcurrencyTag>(source, access.traits(), np, false);
 }
 
 /*!
@@ -164,8 +168,7 @@ Wireframe<GeomTraits> extract_wireframe_from_source(Wireframe_extraction::Distan
 {
   const GeomTraits traits =
     CGAL::parameters::choose_parameter<GeomTraits>(CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits));
-  Wireframe_extraction::internal::Extraction<GeomTraits, NamedParameters> extraction(traits, np);
-  return Wireframe_extraction::internal::run_concurrently<ConcurrencyTag>([&] { return extraction.run(source, true); });
+  return Wireframe_extraction::internal::extracted_wireframe<ConcurrencyTag>(source, traits, np, true);
 }
 
 } // namespace CGAL

@@ -18,6 +18,7 @@
 #include <CGAL/Wireframe_extraction/internal/cloud/cloud_access.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/sampling_distance.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/options/points_in_memory.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <algorithm>

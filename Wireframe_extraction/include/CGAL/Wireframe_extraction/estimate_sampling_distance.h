@@ -16,6 +16,7 @@
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/cloud_access.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
+#include <CGAL/Wireframe_extraction/internal/options/points_in_memory.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/survey_for_stage.h>
 
 namespace CGAL {

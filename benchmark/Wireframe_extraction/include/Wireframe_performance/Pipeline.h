@@ -15,6 +15,7 @@
 #include <Wireframe_performance/Timed_cloud.h>
 
 #include <CGAL/Wireframe_extraction/IO/read_distance_cloud.h>
+#include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
 #include <CGAL/extract_wireframe.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

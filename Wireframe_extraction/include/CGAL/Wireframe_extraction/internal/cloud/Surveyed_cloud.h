@@ -19,7 +19,6 @@
 #include <CGAL/Wireframe_extraction/internal/cloud/Cloud_values.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Distance_histogram.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Position_sample.h>
-#include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,13 +32,6 @@
 namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
-
-template <class NamedParameters>
-std::size_t points_in_memory(const NamedParameters& np)
-{
-  return static_cast<std::size_t>(CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, internal_np::points_in_memory), std::size_t(1) << 20));
-}
 
 class Neighbor_scan;
 

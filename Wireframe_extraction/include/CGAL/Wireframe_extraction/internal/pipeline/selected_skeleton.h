@@ -18,6 +18,7 @@
 #include <CGAL/Wireframe_extraction/internal/cloud/input_checks.h>
 #include <CGAL/Wireframe_extraction/internal/field/select_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
+#include <CGAL/Wireframe_extraction/internal/options/points_in_memory.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/survey_for_stage.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 

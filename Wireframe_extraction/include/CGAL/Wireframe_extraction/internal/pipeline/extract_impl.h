@@ -9,10 +9,9 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_EXTRACTION_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_EXTRACTION_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_EXTRACT_IMPL_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_EXTRACT_IMPL_H
 
-#include <CGAL/Wireframe_extraction/Default_visitor.h>
 #include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
 #include <CGAL/Wireframe_extraction/Distance_field.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
@@ -20,6 +19,7 @@
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
 #include <CGAL/Wireframe_extraction/Wireframe_graph.h>
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
+#include <CGAL/Wireframe_extraction/internal/base/Plain_traits.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/input_checks.h>
 #include <CGAL/Wireframe_extraction/internal/field/contract.h>
@@ -30,10 +30,12 @@
 #include <CGAL/Wireframe_extraction/internal/network/detect_corners.h>
 #include <CGAL/Wireframe_extraction/internal/network/segment_curves.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/Extraction_request.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/Plain_visitor.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/Stage_runner.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/estimate_distances.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/extract.h>
 #include <CGAL/Wireframe_extraction/internal/types/recognize.h>
-#include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/number_utils.h>
@@ -51,29 +53,16 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-template <class T>
-T& referred(T& object)
-{
-  return object;
-}
-template <class T>
-T& referred(std::reference_wrapper<T>& reference)
-{
-  return reference.get();
-}
-
 // Runs all stages on a cloud, and reports how it went.
-template <class GeomTraits, class NamedParameters>
 class Extraction
 {
   typedef Wireframe_extraction_report Report;
-  typedef CGAL::Wireframe_curve<GeomTraits> Curve;
-  typedef Wireframe_skeleton<GeomTraits> Skeleton;
+  typedef Wireframe_curve<Plain_traits> Curve;
+  typedef Wireframe_skeleton<Plain_traits> Skeleton;
 
-  const GeomTraits& m_traits;
-  const NamedParameters& m_np;
+  const Extraction_request& m_request;
   Extraction_options m_options;
-  Report m_own_report;
+  Plain_visitor& m_visitor;
   Report& m_report;
   Stage_runner m_runner;
   const std::function<bool(double)> m_progress;
@@ -81,34 +70,23 @@ class Extraction
   std::unique_ptr<Surveyed_cloud> m_cloud; // as long as it is needed
   Distance_field m_field;                  // if it had to be estimated
   Skeleton m_skeleton;
-  std::vector<Wireframe_corner<GeomTraits>> m_corners;
+  std::vector<Wireframe_corner<Plain_traits>> m_corners;
   std::vector<std::vector<std::size_t>> m_clusters;
-  Wireframe_graph<GeomTraits> m_graph;
-  Wireframe<GeomTraits> m_wireframe;
+  Wireframe_graph<Plain_traits> m_graph;
+  Wireframe<Plain_traits> m_wireframe;
 
 public:
-  Extraction(const GeomTraits& traits, const NamedParameters& np)
-    : m_traits(traits), m_np(np), m_options(given_options(np)),
-      m_report(CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::extraction_report),
-                                                  std::ref(m_own_report))
-                 .get()),
-      m_runner(CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, CGAL::internal_np::callback),
-                                                  std::function<bool(double)>()),
-               m_report),
-      m_progress([this](double share) { return m_runner.proceed(share); })
+  Extraction(const Extraction_request& request, Plain_visitor& visitor, Report& report)
+    : m_request(request), m_options(request.options), m_visitor(visitor), m_report(report),
+      m_runner(request.callback, m_report), m_progress([this](double share) { return m_runner.proceed(share); })
   {
     m_report = Report();
   }
 
-  Wireframe<GeomTraits> run(Distance_cloud_source& source, bool is_reading_timed)
+  Wireframe<Plain_traits> run(Distance_cloud_source& source)
   {
-    Default_visitor no_visitor;
-    auto given_visitor = CGAL::parameters::choose_parameter(
-      CGAL::parameters::get_parameter(m_np, CGAL::internal_np::visitor), std::ref(no_visitor));
-    auto& visitor = referred(given_visitor);
-    if (!read(source, is_reading_timed) || !find_scale(visitor) || !find_field(visitor) || !find_skeleton(visitor)
-        || !find_curves(visitor) || !fit_all(visitor))
-      return Wireframe<GeomTraits>();
+    if (!read(source) || !find_scale() || !find_field() || !find_skeleton() || !find_curves() || !fit_all())
+      return Wireframe<Plain_traits>();
     summarize();
     return m_wireframe;
   }
@@ -130,37 +108,33 @@ private:
 
   bool is_readable() { return m_cloud->error().empty() || fail(Report::Status::INVALID_INPUT, m_cloud->error()); }
 
-  bool read(Distance_cloud_source& source, bool is_timed)
+  bool read(Distance_cloud_source& source)
   {
     const std::string problem = out_of_range(m_options);
     if (!problem.empty())
       return fail(Report::Status::INVALID_INPUT, problem);
-    m_cloud = std::make_unique<Surveyed_cloud>(source, points_in_memory(m_np));
-    const bool skip_invalid =
-      CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(m_np, internal_np::skip_invalid), false);
+    m_cloud = std::make_unique<Surveyed_cloud>(source, m_request.points_in_memory);
     CGAL::Real_timer timer;
     timer.start();
-    if (!survey(*m_cloud, skip_invalid, m_report))
+    if (!survey(*m_cloud, m_request.skip_invalid, m_report))
       return fail(Report::Status::INVALID_INPUT, m_report.message);
     // the estimate of a field looks at all points
     if (!source.has_distances() && !m_cloud->is_in_memory())
     {
       m_cloud = std::make_unique<Surveyed_cloud>(source, (std::numeric_limits<std::size_t>::max)());
-      if (!survey(*m_cloud, skip_invalid, m_report))
+      if (!survey(*m_cloud, m_request.skip_invalid, m_report))
         return fail(Report::Status::INVALID_INPUT, m_report.message);
     }
-    if (is_timed)
+    if (m_request.is_reading_timed)
       m_report.seconds.emplace_back("reading", timer.time());
     return m_runner.reach(0.02) || fail(Report::Status::CANCELLED, "cancelled");
   }
 
-  template <class Visitor>
-  bool find_scale(Visitor& visitor)
+  bool find_scale()
   {
     if (!check_dimension(*m_cloud, m_report))
       return fail(Report::Status::INVALID_INPUT, m_report.message);
-    const double given = CGAL::to_double(
-      CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(m_np, internal_np::sampling_distance), 0.));
+    const double given = m_request.sampling_distance;
     Cloud_scale scale;
     if (!stage("sampling distance", 0.06, [&] { scale = m_cloud->scale(); }) || !is_readable())
       return false;
@@ -169,13 +143,12 @@ private:
         || (m_cloud->has_distances() && !check_truncation(*m_cloud, unit, m_options, m_report)))
       return fail(Report::Status::INVALID_INPUT, m_report.message);
     m_report.sampling_distance = unit;
-    visitor.sampling_distance_estimated(unit);
+    m_visitor.sampling_distance_estimated(unit);
     return true;
   }
 
   // Where the cloud has no distances, the points tell them, and how much they err.
-  template <class Visitor>
-  bool find_field(Visitor& visitor)
+  bool find_field()
   {
     static constexpr double share_when_done = 0.5;
     if (m_cloud->has_distances())
@@ -186,7 +159,7 @@ private:
       return false;
     m_share_before = share_when_done;
     report_field(m_field, m_report);
-    visitor.field_estimated(m_field);
+    m_visitor.field_estimated(m_field);
     if (m_field.number_of_near_points == 0)
       return fail(Report::Status::NO_FEATURE, no_fold_message(m_options.minimum_fold));
     m_cloud->set_distances(m_field.distances);
@@ -195,25 +168,25 @@ private:
       || fail(Report::Status::INVALID_INPUT, m_report.message);
   }
 
-  template <class Visitor>
-  bool find_skeleton(Visitor& visitor)
+  bool find_skeleton()
   {
     const double unit = m_report.sampling_distance;
-    if (!stage("skeleton", 0.1, [&] { m_skeleton = Skeleton(select_skeleton(*m_cloud, unit, m_options), m_traits); })
+    if (!stage("skeleton", 0.1,
+               [&] { m_skeleton = Skeleton(select_skeleton(*m_cloud, unit, m_options), Plain_traits()); })
         || !is_readable())
       return false;
     m_report.skeleton_size = m_skeleton.size();
     warn_of_points_left_out();
     if (m_skeleton.is_empty())
       return fail(Report::Status::NO_FEATURE, no_feature_message(*m_cloud, unit, m_options.skeleton_distance));
-    visitor.skeleton_selected(m_skeleton);
+    m_visitor.skeleton_selected(m_skeleton);
     if (!stage("contraction", 0.2, [&] { contract(m_skeleton.data(), m_options, m_progress); }))
       return false;
     if (m_options.use_creases && (!stage("refinement", 0.6, [&] { refine_where_needed(); }) || !is_readable()))
       return false;
     m_cloud.reset();
     m_report.noise = m_skeleton.data().contraction->noise * unit;
-    visitor.skeleton_contracted(m_skeleton);
+    m_visitor.skeleton_contracted(m_skeleton);
     return true;
   }
 
@@ -240,36 +213,34 @@ private:
     warn(m_report.number_of_strays, "more than 1e9 sampling distances away from the others");
   }
 
-  template <class Visitor>
-  bool find_curves(Visitor& visitor)
+  bool find_curves()
   {
     if (!stage("corners", 0.62, [&] { m_corners = detect_corners(m_skeleton, m_options); }))
       return false;
-    visitor.corners_detected(m_skeleton, m_corners);
+    m_visitor.corners_detected(m_skeleton, m_corners);
     if (!stage("segmentation", 0.65, [&] { m_clusters = segment_curves(m_skeleton, m_corners, m_options); }))
       return false;
     m_report.number_of_clusters = m_clusters.size();
-    visitor.curves_segmented(m_skeleton, m_clusters);
+    m_visitor.curves_segmented(m_skeleton, m_clusters);
     if (!stage("graph", 0.85, [&] { m_graph = build_graph(m_skeleton, m_corners, m_clusters, m_options, m_progress); }))
       return false;
-    visitor.graph_built(m_graph);
+    m_visitor.graph_built(m_graph);
     return true;
   }
 
-  template <class Visitor>
-  bool fit_all(Visitor& visitor)
+  bool fit_all()
   {
     if (!stage("splines", 0.92, [&] { m_wireframe = fit(m_skeleton, m_graph, m_options, m_progress); }))
       return false;
     if (m_wireframe.is_empty())
       return fail(Report::Status::NO_FEATURE, "no curve explains the field");
-    visitor.curves_fitted(m_wireframe);
+    m_visitor.curves_fitted(m_wireframe);
     if (!m_options.recognize_types)
       return true;
     if (!stage("types", 1.,
                [&] { recognize(m_skeleton, m_wireframe, m_options, m_progress, m_wireframe, m_report.regularities); }))
       return false;
-    visitor.types_recognized(m_wireframe);
+    m_visitor.types_recognized(m_wireframe);
     return true;
   }
 
@@ -284,9 +255,9 @@ private:
         ++ends[curve.source];
         ++ends[curve.target];
       }
-      squares += CGAL::square(CGAL::to_double(curve.rms)) * double(curve.support);
+      squares += CGAL::square(curve.rms) * double(curve.support);
       support += double(curve.support);
-      m_report.max = (std::max)(m_report.max, CGAL::to_double(curve.max));
+      m_report.max = (std::max)(m_report.max, curve.max);
     }
     m_report.rms = support > 0. ? std::sqrt(squares / support) : 0.;
     m_report.number_of_free_ends = std::count(ends.begin(), ends.end(), std::size_t(1));
@@ -295,8 +266,15 @@ private:
   }
 };
 
+CGAL_WIREFRAME_EXTRACTION_INLINE
+Wireframe<Plain_traits> extract(Distance_cloud_source& source, const Extraction_request& request,
+                                Plain_visitor& visitor, Wireframe_extraction_report& report)
+{
+  return Extraction(request, visitor, report).run(source);
+}
+
 } // namespace internal
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_EXTRACTION_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_EXTRACT_IMPL_H
