@@ -48,8 +48,9 @@ class Cmake_build(build_ext):
         subprocess.run(["cmake", "-S", ROOT, "-B", folder, *arguments], check=True)
 
     def number_of_jobs(self):
-        """Return what was given by --parallel, or two: a compilation of this library takes more than a gigabyte."""
-        return self.parallel or min(2, os.cpu_count() or 1)
+        """Return what was given, or at most two: a compilation of this library takes more than a gigabyte."""
+        given = self.parallel or os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL")
+        return given or min(2, os.cpu_count() or 1)
 
     def take(self, folder):
         """Copy the compiled parts to where setuptools wants them."""

@@ -4,6 +4,8 @@
 #include "arrays.h"
 #include "bindings.h"
 
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/curve_tools.h>
+
 #include <pybind11/stl.h>
 
 #include <array>
@@ -118,6 +120,15 @@ std::optional<std::size_t> vertex_of(std::size_t index)
   return index == Wireframe::Curve::no_vertex ? std::nullopt : std::optional<std::size_t>(index);
 }
 
+// the color of each type, the same in all files
+py::dict colors()
+{
+  py::dict result;
+  for (const CGAL::Wireframe_curve_type type : CGAL::IO::internal::all_curve_types())
+    result[to_string(type).c_str()] = CGAL::IO::internal::hexadecimal(CGAL::IO::internal::colour_of(type));
+  return result;
+}
+
 void bind_values(py::class_<Curve_handle>& curve)
 {
   typedef const Curve_handle& C;
@@ -185,6 +196,7 @@ void bind_functions(py::class_<Curve_handle>& curve)
 
 void bind_curve(py::module_& module)
 {
+  module.def("colors", &colors);
   py::class_<Curve_handle> curve(module, "Curve");
   bind_values(curve);
   bind_conic(curve);

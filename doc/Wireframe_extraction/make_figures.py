@@ -38,6 +38,11 @@ class Figures:
         self.run("extract_wireframe", cloud, "-o", self.work / "title.json", "--quiet")
         self.run("plot_wireframe.py", cloud, self.work / "title.json", "-o", self.output / "wireframe_extraction.png")
 
+    def python_plot(self):
+        data = ROOT / "examples/Wireframe_extraction/data"
+        self.run("plot_python.py", data / "slotted_plate.ply", data / "crossing_cylinders.ply",
+                 "-o", self.output / "python_plot.png")
+
     def stages(self):
         cloud = self.case("slotted_plate", 20000, "stages") / "def.ply"
         splines, typed = self.work / "splines.json", self.work / "typed.json"
@@ -64,7 +69,7 @@ class Figures:
 
 
 def main():
-    names = ("wireframe_extraction", "stages", "limits", "sweep")
+    names = ("wireframe_extraction", "python_plot", "stages", "limits", "sweep")
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--programs", required=True, type=pathlib.Path,
                         help="the folder with make_cloud, extract_wireframe and run_benchmark")

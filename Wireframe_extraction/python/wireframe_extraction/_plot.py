@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _arrays
-from ._colors import COLORS
+from . import _arrays, _core
 from ._optional import import_optional
 
 if TYPE_CHECKING:
@@ -28,11 +27,12 @@ def plot(wireframe: Wireframe, ax: Any, points: Any) -> Any:
         thinned = cloud[::max(1, len(cloud) // _MOST_POINTS)]
         ax.scatter(*thinned.T, s=1, color="#bbbbbb", linewidths=0, depthshade=False)
     samples, curves = wireframe.sample()
+    colors = _core.colors()
     seen = set()
     for curve in wireframe.curves:
         label = None if curve.type in seen else curve.type
         seen.add(curve.type)
-        ax.plot(*samples[curves == curve.index].T, color=COLORS[curve.type], label=label)
+        ax.plot(*samples[curves == curve.index].T, color=colors[curve.type], label=label)
     if len(wireframe.vertices):
         ax.scatter(*wireframe.vertices.T, s=8, color="black", depthshade=False)
     if seen:
