@@ -16,28 +16,6 @@ namespace python {
 // what the Python side hands over of its small arrays: in C order, converted if need be
 typedef pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast> Double_array;
 
-static_assert(sizeof(Point) == 3 * sizeof(double), "a point has to be its three coordinates, one after the other");
-
-// makes an array that nobody writes to
-inline pybind11::array read_only(pybind11::array array)
-{
-  array.attr("setflags")(pybind11::arg("write") = false);
-  return array;
-}
-
-// an array that shares the memory of `values`, which `owner` keeps
-inline pybind11::array view_of(const std::vector<double>& values, const pybind11::object& owner)
-{
-  return read_only(pybind11::array_t<double>({static_cast<pybind11::ssize_t>(values.size())}, values.data(), owner));
-}
-
-inline pybind11::array view_of(const std::vector<Point>& points, const pybind11::object& owner)
-{
-  const double* const data = static_cast<const double*>(static_cast<const void*>(points.data()));
-  return read_only(
-    pybind11::array_t<double>({static_cast<pybind11::ssize_t>(points.size()), pybind11::ssize_t(3)}, data, owner));
-}
-
 // an array that takes over a vector, without a copy
 template <class Number>
 pybind11::array to_array(std::vector<Number>&& values)
@@ -52,6 +30,17 @@ inline pybind11::array to_rows(std::vector<double>&& coordinates)
 {
   const pybind11::ssize_t rows = static_cast<pybind11::ssize_t>(coordinates.size() / 3);
   return to_array(std::move(coordinates)).reshape({rows, pybind11::ssize_t(3)});
+}
+
+// Copies: what a wireframe has is small, and not everybody takes arrays that cannot be written to.
+inline pybind11::array copy_of(const std::vector<double>& values) { return to_array(std::vector<double>(values)); }
+
+inline pybind11::array copy_of(const std::vector<Point>& points)
+{
+  std::vector<double> coordinates;
+  for (const Point& p : points)
+    coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
+  return to_rows(std::move(coordinates));
 }
 
 // of a point or a vector

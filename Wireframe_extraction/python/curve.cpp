@@ -3,6 +3,7 @@
 #include "Curve_handle.h"
 #include "arrays.h"
 #include "bindings.h"
+#include "run_beside.h"
 
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/curve_tools.h>
 
@@ -88,18 +89,16 @@ py::tuple closest(const Curve_handle& handle, const Double_array& queries)
 {
   const std::vector<Point> points = to_points(queries);
   std::vector<double> parameters, coordinates, distances;
-  {
-    const py::gil_scoped_release release;
+  run_in_pieces(points.size(), [&](std::size_t first, std::size_t beyond) {
     std::vector<Wireframe::Curve::Spline::Closest_point> found;
-    found.reserve(points.size());
-    handle.spline().closest_points(points.begin(), points.end(), std::back_inserter(found));
+    handle.spline().closest_points(&points[first], points.data() + beyond, std::back_inserter(found));
     for (const auto& one : found)
     {
       parameters.push_back(one.parameter);
       append(one.point, coordinates);
       distances.push_back(one.distance);
     }
-  }
+  });
   return py::make_tuple(to_array(std::move(parameters)), to_rows(std::move(coordinates)),
                         to_array(std::move(distances)));
 }
@@ -161,16 +160,12 @@ void bind_conic(py::class_<Curve_handle>& curve)
 void bind_spline(py::class_<Curve_handle>& curve)
 {
   typedef const Curve_handle& C;
-  curve
-    .def_property_readonly("knots",
-                           [](const py::object& self) { return view_of(self.cast<C>().spline().knots(), self); })
-    .def_property_readonly(
-      "control_points", [](const py::object& self) { return view_of(self.cast<C>().spline().control_points(), self); })
-    .def_property_readonly("weights", [](const py::object& self) -> py::object {
-      const Wireframe::Curve::Spline& spline = self.cast<C>().spline();
-      if (!spline.is_rational())
+  curve.def_property_readonly("knots", [](C c) { return copy_of(c.spline().knots()); })
+    .def_property_readonly("control_points", [](C c) { return copy_of(c.spline().control_points()); })
+    .def_property_readonly("weights", [](C c) -> py::object {
+      if (!c.spline().is_rational())
         return py::none();
-      return view_of(spline.weights(), self);
+      return copy_of(c.spline().weights());
     });
 }
 

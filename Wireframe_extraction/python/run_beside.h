@@ -5,7 +5,9 @@
 
 #include <pybind11/pybind11.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <functional>
 
 namespace python {
@@ -34,6 +36,20 @@ private:
 // waits, calls `progress` with the share that is done unless it is None, and lets Python handle signals. If one of these
 // throws, the work is stopped, and the exception goes on once it has ended. What the work throws goes on as well.
 void run_beside(const std::function<void(Work_state&)>& work, int number_of_threads, const pybind11::object& progress);
+
+// The same for what is done for many points, some thousands at a time: calls `work(first, beyond)` for ranges of them, one after
+// the other.
+template <class Work>
+void run_in_pieces(std::size_t size, const Work& work)
+{
+  static constexpr std::size_t points_per_piece = 65536;
+  run_beside(
+    [&](Work_state& state) {
+      for (std::size_t first = 0; first < size && !state.is_stopped(); first += points_per_piece)
+        work(first, (std::min)(first + points_per_piece, size));
+    },
+    1, pybind11::none());
+}
 
 } // namespace python
 

@@ -4,7 +4,9 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "nearest_distances.h"
+#include "run_beside.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -23,8 +25,7 @@ py::array edges(const Wireframe& wireframe)
   for (const Wireframe::Curve& curve : wireframe.curves)
     for (const std::size_t vertex : {curve.source, curve.target})
       indices.push_back(vertex == Wireframe::Curve::no_vertex ? -1 : static_cast<std::int64_t>(vertex));
-  return read_only(
-    to_array(std::move(indices)).reshape({static_cast<py::ssize_t>(wireframe.curves.size()), py::ssize_t(2)}));
+  return to_array(std::move(indices)).reshape({static_cast<py::ssize_t>(wireframe.curves.size()), py::ssize_t(2)});
 }
 
 py::list curves(const std::shared_ptr<Wireframe>& wireframe)
@@ -47,10 +48,10 @@ py::array distances(const Wireframe& wireframe, const Double_array& rows)
 {
   const std::vector<Point> points = to_points(rows);
   std::vector<double> result;
-  {
-    const py::gil_scoped_release release;
-    result = nearest_distances(wireframe, points);
-  }
+  run_in_pieces(points.size(), [&](std::size_t first, std::size_t beyond) {
+    const std::vector<double> piece = nearest_distances(wireframe, {&points[first], points.data() + beyond});
+    result.insert(result.end(), piece.begin(), piece.end());
+  });
   return to_array(std::move(result));
 }
 
@@ -61,8 +62,7 @@ void bind_wireframe(py::module_& module)
   py::class_<Wireframe, std::shared_ptr<Wireframe>>(module, "Wireframe")
     .def(py::init<>())
     .def_readonly("sampling_distance", &Wireframe::sampling_distance)
-    .def_property_readonly("vertices",
-                           [](const py::object& self) { return view_of(self.cast<const Wireframe&>().vertices, self); })
+    .def_property_readonly("vertices", [](const Wireframe& w) { return copy_of(w.vertices); })
     .def("edges", &edges)
     .def("curves", &curves)
     .def("problem", &problem)

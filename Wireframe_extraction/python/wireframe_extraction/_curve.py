@@ -153,17 +153,17 @@ class Curve:
 
     @property
     def knots(self) -> Array:
-        """Knots of the spline, of shape (k,); read-only."""
+        """Knots of the spline, of shape (k,); a copy."""
         return self._core.knots
 
     @property
     def control_points(self) -> Array:
-        """Control points of the spline, of shape (c, 3); read-only."""
+        """Control points of the spline, of shape (c, 3); a copy."""
         return self._core.control_points
 
     @property
     def weights(self) -> Array | None:
-        """Weights of the control points, of shape (c,), read-only; None of a spline that is not rational."""
+        """Weights of the control points, of shape (c,), a copy; None of a spline that is not rational."""
         return self._core.weights
 
     def __call__(self, t: npt.ArrayLike) -> Array:

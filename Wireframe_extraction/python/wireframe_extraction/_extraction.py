@@ -53,8 +53,8 @@ def extract(points: Any, distances: Any = None, *, faces: Any = None, threads: i
     progress : callable, optional
         Called now and then with the share that is done, from 0 to 1. What it raises stops the extraction.
     **parameters
-        All parameters of the tool, `sampling_distance`, `minimum_fold` and so on: `default_parameters()` has their defaults,
-        and the manual says what they do. Lengths are in multiples of the sampling distance, but for `sampling_distance`
+        All parameters of the tool, `sampling_distance`, `minimum_fold` and so on: ``help(default_parameters)`` says
+        what they do, and ``default_parameters()`` has their defaults. Lengths are in multiples of the sampling distance, but for `sampling_distance`
         itself; angles are in degrees. None stands for the default. Of files, those of `read_cloud()`, too; of meshes, `mesh`,
         `maximum_facet_fold`, `maximum_number_of_points` and `use_boundaries`.
 

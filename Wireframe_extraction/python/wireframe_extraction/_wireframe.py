@@ -39,7 +39,7 @@ class Wireframe:
 
     @property
     def vertices(self) -> Array:
-        """Corners and ends of curves, of shape (v, 3); read-only."""
+        """Corners and ends of curves, of shape (v, 3); a copy."""
         return self._core.vertices
 
     @cached_property
@@ -47,12 +47,12 @@ class Wireframe:
         """The curves, in the order in which files have them."""
         return tuple(Curve(core, index) for index, core in enumerate(self._core.curves()))
 
-    @cached_property
+    @property
     def edges(self) -> npt.NDArray[np.int64]:
         """The vertices at which each curve starts and ends, of shape (c, 2); -1 where a closed curve has none."""
         return self._core.edges()
 
-    @cached_property
+    @property
     def types(self) -> npt.NDArray[np.str_]:
         """The type of each curve, of shape (c,): ``wireframe.types == "circle"``."""
         return np.array([curve.type for curve in self.curves], dtype="<U12")

@@ -161,7 +161,8 @@ def test_progress_that_raises(box):
     lambda: we.extract(*make_cylinder(3000000)),
     lambda: we.Extractor(raw_cylinder(300000)).wireframe,
     lambda: we.extract_many([raw_cylinder(300000)] * 3),
-], ids=["estimate", "extract", "stages", "many"])
+    lambda: we.extract(*make_cylinder(5000)).distance(np.random.default_rng(7).normal(size=(6000000, 3))),
+], ids=["estimate", "extract", "stages", "many", "distance"])
 def test_interrupt(work):
     stopped_at = []
 

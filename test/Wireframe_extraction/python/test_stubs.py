@@ -122,6 +122,7 @@ def test_documentation(name, thing):
 
 def test_defaults():
     defaults = we.default_parameters()
+    assert all(f"`{name}`" in we.default_parameters.__doc__ for name in defaults)
     assert defaults["corner_radius"] == 4 and defaults["sampling_distance"] is None
     assert set(we.paper_parameters()) < set(defaults)
 
