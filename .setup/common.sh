@@ -17,7 +17,8 @@ test_packages=(libyaml-cpp-dev python3-ezdxf python3-h5py doxygen clang-format "
 # Readers of written files, what draws, and a workflow manager, which are large, for `test/run --all`; what needs them is
 # skipped without.
 # shellcheck disable=SC2034
-reader_packages=(freecad python3-vtk9 snakemake chromium libcgal-qt5-dev libgl1-mesa-dri xvfb xauth)
+reader_packages=(freecad python3-vtk9 snakemake chromium libcgal-qt5-dev libgl1-mesa-dri xvfb xauth
+  python3-distributed)
 packages_are_checked=yes
 
 fail()

@@ -10,6 +10,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <mutex>
 #include <string>
 
 namespace {
@@ -22,6 +23,9 @@ using CGAL::Wireframe_extraction::Step_schema;
 void write_cad(const python::Wireframe& wireframe, const std::string& path, const std::string& extension,
                const std::string& unit, const std::string& schema)
 {
+  // OpenCASCADE keeps the unit and the schema in settings that all of a process share
+  static std::mutex mutex;
+  const std::lock_guard<std::mutex> lock(mutex);
   std::string error;
   const auto np = parameters::error_message(&error)
                     .unit(python::unit_of(unit))

@@ -1,5 +1,6 @@
 """Files: clouds in all formats, wireframes in and out."""
 
+import concurrent.futures
 import os
 import pickle
 import xml.etree.ElementTree
@@ -29,6 +30,14 @@ def test_formats_of_cad_programs(box_wireframe, extension, tmp_path):
     if extension == "step":
         text = path.read_text()
         assert text.count("=CIRCLE(") + text.count("= CIRCLE(") == 2 and "INCH" in text
+
+
+def test_threads_write_at_once(box_wireframe, tmp_path):
+    pytest.importorskip("wireframe_extraction._cad")
+    units = ["mm", "in"] * 3
+    with concurrent.futures.ThreadPoolExecutor(len(units)) as pool:
+        list(pool.map(lambda i: box_wireframe.write(tmp_path / f"{i}.step", unit=units[i]), range(len(units))))
+    assert [("INCH" in (tmp_path / f"{i}.step").read_text()) for i in range(len(units))] == [u == "in" for u in units]
 
 
 def test_options(box_wireframe, tmp_path):
