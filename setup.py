@@ -1,7 +1,7 @@
 """Builds the compiled parts of the Python package by CMake. All else is in pyproject.toml.
-
-WIREFRAME_EXTRACTION_BUILD_FOLDER names a folder that was configured with CMake before; then what is there is taken, and only
-what is missing is built. WIREFRAME_EXTRACTION_CMAKE_ARGUMENTS has further arguments for the configuration of a new one.
+ WIREFRAME_EXTRACTION_BUILD_FOLDER names a folder that was configured with CMake before; then what is there is taken,
+and only what is missing is built. WIREFRAME_EXTRACTION_CMAKE_ARGUMENTS has further arguments for the configuration of a
+new one.
 """
 
 import os

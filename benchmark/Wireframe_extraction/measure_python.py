@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Measures the Python module: how long it takes to import, and how long an extraction takes in it and in the tool.
-
-CPU seconds of all threads, median of several runs in turns, so that what else the machine does counts little. The tool reads a
-cloud and writes wireframe JSON; the module does the same, in a process in which it was imported before. The extraction has one
-thread in both. The module has to be installed, or PYTHONPATH has to name the folder in which it was built.
+ CPU seconds of all threads, median of several runs in turns, so that what else the machine does counts little. The tool
+reads a cloud and writes wireframe JSON; the module does the same, in a process in which it was imported before. The
+extraction has one thread in both. The module has to be installed, or PYTHONPATH has to name the folder in which it was
+built.
 """
 
 import argparse
@@ -68,7 +68,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--tool", required=True, help="the program extract_wireframe")
     parser.add_argument("--runs", type=int, default=7, help="(default %(default)s)")
-    parser.add_argument("clouds", nargs="*", default=[DATA / name for name in ("slotted_plate.ply", "l_bracket_scan.ply")])
+    parser.add_argument("clouds", nargs="*", default=[DATA / "slotted_plate.ply", DATA / "l_bracket_scan.ply"])
     arguments = parser.parse_args()
 
     numpy_seconds, own_seconds = import_seconds(arguments.runs)

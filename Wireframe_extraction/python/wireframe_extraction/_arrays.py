@@ -20,8 +20,9 @@ def _as_numbers(name: str, values: Any) -> npt.NDArray[Any]:
     except ValueError as error:
         raise ValueError(f"{name} is no array of numbers: {error}") from None
     if array.dtype.names:
-        raise ValueError(f"{name} is a structured array with the fields {', '.join(array.dtype.names)}; put its columns "
-                         f"side by side with numpy.column_stack")
+        fields = ", ".join(array.dtype.names)
+        raise ValueError(f"{name} is a structured array with the fields {fields}; put its columns side by side with "
+                         f"numpy.column_stack")
     if array.dtype.kind not in "fiu":
         raise TypeError(f"{name} has the dtype {array.dtype}; it has to be real numbers, such as float32 or float64")
     return array
@@ -95,7 +96,8 @@ def faces(values: Any, number_of_vertices: int) -> npt.NDArray[np.int64]:
         raise TypeError(f"faces has the dtype {array.dtype}; it has to be integers, the indices of points. Faces with "
                         f"different numbers of corners have to be cut into triangles")
     if array.ndim != 2 or array.shape[1] < 3:
-        raise ValueError(f"faces has the shape {array.shape}; it has to be (m, 3), three indices of points for each face")
+        raise ValueError(f"faces has the shape {array.shape}; it has to be (m, 3), three indices of points for each "
+                         f"face")
     is_bad = ((array < 0) | (array >= number_of_vertices)).any(axis=1)
     if is_bad.any():
         face = int(np.argmax(is_bad))

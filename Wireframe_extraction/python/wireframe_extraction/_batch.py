@@ -37,8 +37,8 @@ def extract_many(clouds: Iterable[Any], *, jobs: int | None = None, threads: int
     threads : int, optional
         The largest number of threads for each; such that they share the processors if it is not given.
     errors : {"raise", "return"}
-        What becomes of a cloud that has none: its exception is raised once the clouds before it are done, and the others are
-        stopped; or it stands in the place of the wireframe, and the others go on.
+        What becomes of a cloud that has none: its exception is raised once the clouds before it are done, and the
+        others are stopped; or it stands in the place of the wireframe, and the others go on.
     progress : callable, optional
         Called with the share of the clouds that are done, from 0 to 1, in the thread that called.
     **parameters
@@ -69,7 +69,8 @@ def extract_many(clouds: Iterable[Any], *, jobs: int | None = None, threads: int
             raise _Stopped
 
     with ThreadPoolExecutor(number_of_jobs, "wireframe_extraction") as pool:
-        futures = [pool.submit(extract, *arguments, threads=threads, progress=check, **parameters) for arguments in inputs]
+        futures = [pool.submit(extract, *arguments, threads=threads, progress=check, **parameters)
+                   for arguments in inputs]
         try:
             return _gathered(futures, errors, progress)
         finally:   # whatever happened, also Ctrl-C: what has not begun never does, and the rest ends soon

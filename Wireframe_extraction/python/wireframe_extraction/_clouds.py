@@ -32,7 +32,8 @@ def input_of(paths: Any, distances: Any, reading: dict[str, Any]) -> dict[str, A
     if not files:
         raise ValueError("there is no file; give the name of one")
     if len(files) > 1 and not reading.get("patches", False):
-        raise ValueError("several files are read as patches of one cloud only: give patches=True, or use extract_many()")
+        raise ValueError("several files are read as patches of one cloud only: give patches=True, or use "
+                         "extract_many()")
     if distances is not None and not isinstance(distances, (str, bytes, os.PathLike)):
         raise TypeError("distances has to be the name of a file, as points is; or read the cloud with read_cloud()")
     if distances is not None and reading.get("patches", False):
@@ -53,8 +54,8 @@ def read_cloud(path: Any, distances: Any = None, **parameters: Any) -> Cloud:
     **parameters
         How to read it; all have a default.
     field : {"auto", "given", "estimated"}
-        Where distances have to come from: "given" makes it an error if there are none, and with "estimated" they are not
-        looked at.
+        Where distances have to come from: "given" makes it an error if there are none, and with "estimated" they are
+        not looked at.
     distance_property, points_dataset, distances_dataset, indices_dataset : str
         Names of what is to be read, if they are not the usual ones.
     patches : bool
@@ -82,7 +83,8 @@ def read_cloud(path: Any, distances: Any = None, **parameters: Any) -> Cloud:
     ValueError
         If it cannot be read; the message says where, why, and what helps.
     """
-    known = {**_parameters.READING, **_parameters.MESH, **{name: _parameters.EXTRACTION[name] for name in _parameters.SHARED}}
+    shared = {name: _parameters.EXTRACTION[name] for name in _parameters.SHARED}
+    known = {**_parameters.READING, **_parameters.MESH, **shared}
     values = input_of(path, distances, _parameters.checked("read_cloud", parameters, known))
     try:
         points, known_distances, _, _ = _core.read_cloud(values)

@@ -26,7 +26,8 @@ def to_networkx(wireframe: Wireframe) -> Any:
         graph.add_node(index, pos=tuple(map(float, position)))
     for curve in wireframe.curves:
         if curve.source is not None:
-            graph.add_edge(curve.source, curve.target, key=curve.index, curve=curve, type=curve.type, length=curve.length)
+            graph.add_edge(curve.source, curve.target, key=curve.index, curve=curve, type=curve.type,
+                           length=curve.length)
     return graph
 
 
@@ -85,6 +86,7 @@ def to_pyvista(wireframe: Wireframe, step: float | None) -> Any:
     data.cell_data["curve"] = np.arange(len(wireframe.curves))
     data.cell_data["type"] = wireframe.types
     data.cell_data["length"] = np.array([curve.length for curve in wireframe.curves])
-    data.cell_data["radius"] = np.array([math.nan if curve.radius is None else curve.radius for curve in wireframe.curves])
+    radii = [math.nan if curve.radius is None else curve.radius for curve in wireframe.curves]
+    data.cell_data["radius"] = np.array(radii)
     data.cell_data["rms"] = np.array([curve.rms for curve in wireframe.curves])
     return data

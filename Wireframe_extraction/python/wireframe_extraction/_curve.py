@@ -37,8 +37,8 @@ class Closest(NamedTuple):
 class Curve:
     """One curve of a wireframe: its geometry, its vertices, and how well the cloud supports it.
 
-    Whatever its type, a curve is a B-spline, which can be evaluated, differentiated and measured. Lengths are in the unit of
-    the cloud, angles in radians. Curves are not made: a `Wireframe` has them.
+    Whatever its type, a curve is a B-spline, which can be evaluated, differentiated and measured. Lengths are in the
+    unit of the cloud, angles in radians. Curves are not made: a `Wireframe` has them.
     """
 
     def __init__(self, core: _core.Curve, index: int) -> None:
@@ -122,7 +122,8 @@ class Curve:
     def uncertainty(self) -> dict[str, float] | None:
         """Standard deviations of the parameters of a line, circle, ellipse or arc; None of splines.
 
-        Keys are "position", "direction" (in radians), "major_radius" and "minor_radius". 0 stands for what is not known.
+        Keys are "position", "direction" (in radians), "major_radius" and "minor_radius". 0 stands for what is not
+        known.
         """
         return None if self.type == "bspline" else self._core.uncertainty
 

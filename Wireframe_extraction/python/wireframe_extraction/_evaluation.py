@@ -15,17 +15,17 @@ def evaluate(truth: Wireframe | str | os.PathLike[str], wireframe: Wireframe) ->
     Parameters
     ----------
     truth : Wireframe or path-like
-        The true wireframe, or the name of a file `truth.json` as the generators of this project write it. A wireframe needs
-        a positive `sampling_distance`, which is the unit of all tolerances.
+        The true wireframe, or the name of a file `truth.json` as the generators of this project write it. A wireframe
+        needs a positive `sampling_distance`, which is the unit of all tolerances.
     wireframe : Wireframe
         The wireframe that is judged.
 
     Returns
     -------
     dict
-        The scores of the program `evaluate_wireframe`, `chamfer_distance`, `curve_f1` and so on, under their names: lengths in
-        the unit of the cloud, shares from 0 to 1, nan where a score does not apply. `failure` says why the wireframe is no
-        usable result, and is None if it is one.
+        The scores of the program `evaluate_wireframe`, `chamfer_distance`, `curve_f1` and so on, under their names:
+        lengths in the unit of the cloud, shares from 0 to 1, nan where a score does not apply. `failure` says why the
+        wireframe is no usable result, and is None if it is one.
 
     Raises
     ------
@@ -35,7 +35,7 @@ def evaluate(truth: Wireframe | str | os.PathLike[str], wireframe: Wireframe) ->
         If the truth is none.
     """
     if not isinstance(wireframe, Wireframe):
-        raise TypeError(f"wireframe is {type(wireframe).__name__}; it has to be a Wireframe, as extract() and read() give it")
+        raise TypeError(f"wireframe is {type(wireframe).__name__}; it has to be a Wireframe, as extract() gives it")
     prediction = _core.to_json(wireframe._core)
     if not isinstance(truth, Wireframe):
         return _core.evaluate(_files.existing(truth), False, prediction)

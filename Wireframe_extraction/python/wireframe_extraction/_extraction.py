@@ -34,29 +34,30 @@ def extract(points: Any, distances: Any = None, *, faces: Any = None, threads: i
             **parameters: Any) -> Wireframe:
     """Extract the parametric wireframe of a shape from a dense point cloud of its surface.
 
-    The result is that of the tool `extract_wireframe` for the same cloud and parameters, to the last bit, whatever the number
-    of threads. While it is made, other Python threads go on, and Ctrl-C stops it.
+    The result is that of the tool `extract_wireframe` for the same cloud and parameters, to the last bit, whatever the
+    number of threads. While it is made, other Python threads go on, and Ctrl-C stops it.
 
     Parameters
     ----------
     points : array_like of shape (n, 3), or path-like
-        The cloud, as it is scanned: arrays of float32 or float64 are not copied, whatever their strides. Or the name of a
-        file in any format of the tool, also of a mesh; a large cloud stays in its file.
+        The cloud, as it is scanned: arrays of float32 or float64 are not copied, whatever their strides. Or the name of
+        a file in any format of the tool, also of a mesh; a large cloud stays in its file.
     distances : array_like of shape (n,), or path-like, optional
-        The distance of each point to the nearest sharp feature, in the unit of the points, known at least up to 3 sampling
-        distances. If there are none, they are estimated from the points, and all points are copied once.
+        The distance of each point to the nearest sharp feature, in the unit of the points, known at least up to 3
+        sampling distances. If there are none, they are estimated from the points, and all points are copied once.
     faces : array_like of shape (m, 3), optional
-        The faces of a mesh, whose vertices are `points`. A shape whose sharp edges are edges of the mesh, as CAD programs
-        export them, is sampled; the vertices of a scan are the points.
+        The faces of a mesh, whose vertices are `points`. A shape whose sharp edges are edges of the mesh, as CAD
+        programs export them, is sampled; the vertices of a scan are the points.
     threads : int
         The largest number of threads; 0 for as many as there are.
     progress : callable, optional
         Called now and then with the share that is done, from 0 to 1. What it raises stops the extraction.
     **parameters
         All parameters of the tool, `sampling_distance`, `minimum_fold` and so on: ``help(default_parameters)`` says
-        what they do, and ``default_parameters()`` has their defaults. Lengths are in multiples of the sampling distance, but for `sampling_distance`
-        itself; angles are in degrees. None stands for the default. Of files, those of `read_cloud()`, too; of meshes, `mesh`,
-        `maximum_facet_fold`, `maximum_number_of_points` and `use_boundaries`.
+        what they do, and ``default_parameters()`` has their defaults. Lengths are in multiples of the sampling
+        distance, but for `sampling_distance` itself; angles are in degrees. None stands for the default. Of files,
+        those of `read_cloud()`, too; of meshes, `mesh`, `maximum_facet_fold`, `maximum_number_of_points` and
+        `use_boundaries`.
 
     Returns
     -------
@@ -91,7 +92,8 @@ def extract(points: Any, distances: Any = None, *, faces: Any = None, threads: i
     distances = _arrays.distances(distances, len(points))
     if faces is not None:
         if distances is not None:
-            raise ValueError("there are both distances and faces; leave out distances to have them from the mesh, or faces")
+            raise ValueError("there are both distances and faces; leave out distances to have them from the mesh, or "
+                             "faces")
         points, distances = _sampled(points, faces, values)
     core, report = _core.extract_arrays(points, distances, _only_of_extraction(values), threads, progress)
     return Wireframe(core, checked_report(report))
@@ -166,8 +168,8 @@ def _of_file(path: Any, distances: Any, parameters: dict[str, Any], threads: int
     reading = {name: value for name, value in values.items()
                if name in _parameters.MESH or name in _parameters.READING or name in _parameters.SHARED}
     try:
-        core, report, note, no_feature = _core.extract_file(input_of(path, distances, reading), _only_of_extraction(values),
-                                                            threads, progress)
+        core, report, note, no_feature = _core.extract_file(input_of(path, distances, reading),
+                                                            _only_of_extraction(values), threads, progress)
     except ValueError as error:
         raise ValueError(in_python(str(error))) from None
     if no_feature:

@@ -60,8 +60,8 @@ def _write_cad(wireframe: Wireframe, path: bytes, extension: str, unit: str, sch
     try:
         from . import _cad
     except ImportError as error:
-        raise ImportError(f"{extension} needs OpenCASCADE, without which this module was built or which cannot be loaded "
-                          f"(Debian: libocct-data-exchange-dev): {error}") from None
+        raise ImportError(f"{extension} needs OpenCASCADE, without which this module was built or which cannot be "
+                          f"loaded (Debian: libocct-data-exchange-dev): {error}") from None
     _cad.write(wireframe._core, path, extension, unit, schema)
 
 

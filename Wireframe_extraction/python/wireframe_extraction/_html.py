@@ -18,7 +18,8 @@ _HEIGHT = 480
 
 
 def _samples(wireframe: Wireframe, points: Any, distances: Any) -> npt.NDArray[np.float64]:
-    """Return the cloud that is shown, as rows of three coordinates and a distance; without one, points of the curves."""
+    """Return the cloud that is shown, as rows of three coordinates and a distance; without one, points of the
+    curves."""
     if points is None:
         if distances is not None:
             raise ValueError("distances goes with points; give both, or none")
@@ -43,8 +44,8 @@ def _summary(wireframe: Wireframe) -> list[tuple[str, str]]:
 
 
 def _table(wireframe: Wireframe) -> str:
-    rows = "".join(f"<tr><th>{html.escape(name)}</th><td>{html.escape(text)}</td></tr>" for name, text in _summary(wireframe))
-    return f"<table>{rows}</table>"
+    rows = [f"<tr><th>{html.escape(name)}</th><td>{html.escape(text)}</td></tr>" for name, text in _summary(wireframe)]
+    return f"<table>{''.join(rows)}</table>"
 
 
 def _drawing(wireframe: Wireframe) -> str:

@@ -55,28 +55,29 @@ def default_parameters() -> dict[str, Any]:
 
     Lengths are in multiples of the sampling distance r, but for `sampling_distance` itself; angles are in degrees.
 
-    - Scale and field: `sampling_distance` is r, in the unit of the points; `minimum_fold`, where distances are estimated, the
-      least angle by which the surface is folded at a sharp feature; `noise_level` the noise of the distances.
-    - Skeleton: points with a distance below `skeleton_distance` form it, those below `support_distance` support the fits;
-      `fitting_radius` is that of the balls in which curves are fitted to the field; `use_creases` tells whether creases of
-      the surface correct the field.
+    - Scale and field: `sampling_distance` is r, in the unit of the points; `minimum_fold`, where distances are
+      estimated, the least angle by which the surface is folded at a sharp feature; `noise_level` the noise of the
+      distances.
+    - Skeleton: points with a distance below `skeleton_distance` form it, those below `support_distance` support the
+      fits; `fitting_radius` is that of the balls in which curves are fitted to the field; `use_creases` tells whether
+      creases of the surface correct the field.
     - Corners: `corner_measure` tells one, the residual of a fit to the field or the variance of the points;
-      `corner_sampling_ratio` is the share of the skeleton at which corners are looked for, `corner_radius` the radius of the
-      balls; above `corner_variance` or `corner_residual` a ball holds one.
+      `corner_sampling_ratio` is the share of the skeleton at which corners are looked for, `corner_radius` the radius
+      of the balls; above `corner_variance` or `corner_residual` a ball holds one.
     - Clusters: points closer than `connection_radius` may belong to one curve, if their tangents differ by less than
       `connection_angle`; `use_tangents` tells whether that counts.
     - Graph: `graph_method` traces curves through the field, or subdivides a polyline per cluster, whose ends
-      `end_detection` finds, where the residual is above `split_threshold`. Curves that end within `corner_reach` of a corner
-      are joined to it, gaps of up to `maximum_gap` are bridged, a curve that turns by less than `smooth_angle` goes on
-      through a vertex, and `minimum_evidence` is the support of the field that a curve must have.
-    - Fit: `use_robust_loss` tells whether outliers count less, `move_corners` whether corners move to where curves meet,
-      `adapt_knots` whether knots are added where residuals ask for them; `number_of_rounds` is how often foot points are
-      found anew.
-    - Types: `recognize_types` tells whether lines, circles, ellipses and their arcs replace splines, `type_significance` is
-      the share of true ones that may be taken for splines, and `regularize` makes radii equal, circles coaxial, and
-      directions parallel or orthogonal, where the field agrees.
-    - Input: `skip_invalid` leaves out points that are not finite or have a negative distance, which are an error otherwise;
-      of a cloud with more points than `points_in_memory`, only what lies near features is kept in memory.
+      `end_detection` finds, where the residual is above `split_threshold`. Curves that end within `corner_reach` of a
+      corner are joined to it, gaps of up to `maximum_gap` are bridged, a curve that turns by less than `smooth_angle`
+      goes on through a vertex, and `minimum_evidence` is the support of the field that a curve must have.
+    - Fit: `use_robust_loss` tells whether outliers count less, `move_corners` whether corners move to where curves
+      meet, `adapt_knots` whether knots are added where residuals ask for them; `number_of_rounds` is how often foot
+      points are found anew.
+    - Types: `recognize_types` tells whether lines, circles, ellipses and their arcs replace splines,
+      `type_significance` is the share of true ones that may be taken for splines, and `regularize` makes radii equal,
+      circles coaxial, and directions parallel or orthogonal, where the field agrees.
+    - Input: `skip_invalid` leaves out points that are not finite or have a negative distance, which are an error
+      otherwise; of a cloud with more points than `points_in_memory`, only what lies near features is kept in memory.
 
     Returns
     -------

@@ -90,7 +90,8 @@ def checked_report(values: dict[str, object], note: str = "", stacklevel: int = 
     texts = [in_python(text) for text in values["warnings"]]   # type: ignore[attr-defined]
     if values["status"] == "invalid_input":
         raise ValueError(message)
-    report = Report(**{**values, "message": message, "warnings": texts, "note": in_python(note)})   # type: ignore[arg-type]
+    changed = {"message": message, "warnings": texts, "note": in_python(note)}
+    report = Report(**{**values, **changed})   # type: ignore[arg-type]
     for text in texts:
         warnings.warn(text, ExtractionWarning, stacklevel=stacklevel)
     if report.status == "no_feature":

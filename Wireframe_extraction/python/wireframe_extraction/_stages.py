@@ -100,8 +100,8 @@ _STAGES = ("measure", "estimate", "select", "contract", "detect", "segment", "bu
 class Extractor:
     """The extraction stage by stage, for a look at what is in between, and to put something else there.
 
-    Nothing is done until it is asked for; then all stages up to there run, once. `corners` and `clusters` can be set to other
-    ones, from which the later stages go on.
+    Nothing is done until it is asked for; then all stages up to there run, once. `corners` and `clusters` can be set to
+    other ones, from which the later stages go on.
 
     Parameters
     ----------
@@ -183,7 +183,8 @@ class Extractor:
     @clusters.setter
     def clusters(self, clusters: Iterable[npt.ArrayLike]) -> None:
         size = len(self._run("detect").skeleton()[0])
-        self._core.set_clusters([_checked_indices(indices, size, f"clusters[{i}]") for i, indices in enumerate(clusters)])
+        self._core.set_clusters([_checked_indices(indices, size, f"clusters[{i}]")
+                                 for i, indices in enumerate(clusters)])
         self._number_of_done = _STAGES.index("segment") + 1
 
     @property

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 class Wireframe:
     """A parametric wireframe: vertices, and curves between them.
 
-    Wireframes come from `extract()` and `read()`, and do not change. They can be pickled. Lengths are in the unit of the
-    cloud.
+    Wireframes come from `extract()` and `read()`, and do not change. They can be pickled. Lengths are in the unit of
+    the cloud.
     """
 
     def __init__(self, core: _core.Wireframe | None = None, report: Report | None = None) -> None:
@@ -119,8 +119,8 @@ class Wireframe:
               obj_splines: bool = False, schema: str = "ap214") -> None:
         """Write the wireframe into a file, in the format that the extension names.
 
-        All formats of the tool are there: .json (everything), .step .stp .iges .igs .brep .dxf (the curves), .obj .ply .vtp
-        .gltf .glb .polylines.txt .txt .cgal (polylines), .svg (a drawing), .csv (a table), and .html (a page).
+        All formats of the tool are there: .json (everything), .step .stp .iges .igs .brep .dxf (the curves), .obj .ply
+        .vtp .gltf .glb .polylines.txt .txt .cgal (polylines), .svg (a drawing), .csv (a table), and .html (a page).
 
         Parameters
         ----------

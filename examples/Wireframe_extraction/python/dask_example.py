@@ -1,7 +1,6 @@
 """The wireframes of all clouds of a folder, on several machines, with Dask.
-
-Without --scheduler, workers are started on this machine. A cloud that has its wireframe already is skipped, and the cloud of a
-worker that dies goes to another one: nothing is lost, also if this program is stopped and started again.
+ Without --scheduler, workers are started on this machine. A cloud that has its wireframe already is skipped, and the
+cloud of a worker that dies goes to another one: nothing is lost, also if this program is stopped and started again.
 """
 
 import argparse
@@ -32,7 +31,8 @@ def main():
     arguments = parser.parse_args()
 
     arguments.output.mkdir(parents=True, exist_ok=True)
-    clouds = {cloud: arguments.output / f"{cloud.stem}.json" for cloud in sorted(arguments.input.glob(arguments.pattern))}
+    names = sorted(arguments.input.glob(arguments.pattern))
+    clouds = {cloud: arguments.output / f"{cloud.stem}.json" for cloud in names}
     todo = {cloud: output for cloud, output in clouds.items() if not output.exists()}
     print(f"{len(clouds)} clouds, {len(clouds) - len(todo)} of them done before")
 
@@ -45,7 +45,8 @@ def main():
                    for cloud, output in todo.items()}
         for future in distributed.as_completed(futures):
             error = future.exception()
-            print(f"{futures[future].name}: {f'{future.result()} curves' if error is None else f'failed: {error}'}", flush=True)
+            result = f"{future.result()} curves" if error is None else f"failed: {error}"
+            print(f"{futures[future].name}: {result}", flush=True)
 
 
 if __name__ == "__main__":

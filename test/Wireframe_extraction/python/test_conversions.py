@@ -122,7 +122,8 @@ def test_distance(box_wireframe):
 
 def test_evaluate(box_wireframe, tmp_path):
     same = we.evaluate(box_wireframe, box_wireframe)
-    assert same["failure"] is None and same["curve_f1"] == same["corner_recall"] == 1 and same["chamfer_distance"] < 1e-12
+    assert same["failure"] is None and same["curve_f1"] == same["corner_recall"] == 1
+    assert same["chamfer_distance"] < 1e-12
     path = shapes.write(tmp_path / "line.json", [(0, 0, 0), (1, 0, 0)], [shapes.line((0, 0, 0), (1, 0, 0))])
     other = we.evaluate(box_wireframe, we.read(path))
     assert other["curve_recall"] < 0.5 and math.isfinite(other["hausdorff_distance"])

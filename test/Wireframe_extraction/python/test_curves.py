@@ -110,7 +110,8 @@ def test_arrays_are_copies(circle, spline):
         array = getattr(circle, name)
         array[0] = 7   # what cannot be written to, SciPy and PyTorch do not take
         assert not np.array_equal(getattr(circle, name), array)
-    assert np.allclose(interpolate.BSpline(spline.knots, spline.control_points, spline.degree)(T), spline(T), atol=1e-13)
+    same = interpolate.BSpline(spline.knots, spline.control_points, spline.degree)
+    assert np.allclose(same(T), spline(T), atol=1e-13)
 
 
 @pytest.mark.parametrize("call, error, text", [

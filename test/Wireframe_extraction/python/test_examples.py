@@ -15,8 +15,9 @@ import wireframe_extraction
 def run(code, folder, *arguments):
     """Run a program in a folder, and return what it prints."""
     package = pathlib.Path(wireframe_extraction.__file__).parent.parent
+    environment = {**os.environ, "PYTHONPATH": str(package)}
     done = subprocess.run([sys.executable, *code, *map(str, arguments)], cwd=folder, check=False, encoding="utf-8",
-                          env={**os.environ, "PYTHONPATH": str(package)}, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                          env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     assert done.returncode == 0, done.stderr
     return done.stdout
 

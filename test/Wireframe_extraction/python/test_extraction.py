@@ -36,7 +36,7 @@ def test_same_as_tool(name, data, tool, tmp_path):
 
 
 def test_same_as_tool_with_parameters(data, box, tool, tmp_path):
-    options = ["--minimum-evidence", "3", "--recognize-types", "false", "--corner-measure", "variance", "--threads", "1"]
+    options = ["--minimum-evidence", 3, "--recognize-types", "false", "--corner-measure", "variance", "--threads", 1]
     expected = json_of_tool(tool, tmp_path, data / "box_with_hole.ply", *options)
     parameters = {"minimum_evidence": 3, "recognize_types": False, "corner_measure": "variance", "threads": 1}
     assert json_of(we.extract(*box, **parameters), tmp_path) == expected

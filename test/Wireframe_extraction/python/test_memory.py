@@ -14,8 +14,8 @@ import wireframe_extraction as we
 STATUS = pathlib.Path("/proc/self/status")
 pytestmark = pytest.mark.skipif(not STATUS.exists(), reason="needs Linux")
 
-# In a process of its own, where nothing was freed before that could be used again: prints how many bytes the memory grew at
-# most, and how many the arrays have.
+# In a process of its own, where nothing was freed before that could be used again: prints how many bytes the memory
+# grew at most, and how many the arrays have.
 LARGE_CLOUD = """
 import pathlib
 import numpy as np

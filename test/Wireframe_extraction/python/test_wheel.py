@@ -39,7 +39,8 @@ def wheel(root, tmp_path_factory):
 
 def test_content(wheel, root):
     names = set(zipfile.ZipFile(wheel).namelist())
-    sources = {path.name for path in (root / "Wireframe_extraction/python/wireframe_extraction").iterdir() if path.is_file()}
+    folder = root / "Wireframe_extraction/python/wireframe_extraction"
+    sources = {path.name for path in folder.iterdir() if path.is_file()}
     assert {f"wireframe_extraction/{name}" for name in sources} <= names
     assert any(name.startswith("wireframe_extraction/_core.") and not name.endswith(".pyi") for name in names)
     assert wheel.stat().st_size < 10e6
