@@ -1,6 +1,8 @@
 // The class Stages of the module: one stage after the other, with all that is in between.
 
+#include "Array_cloud.h"
 #include "Cloud_maps.h"
+#include "Stoppable_cloud.h"
 #include "arrays.h"
 #include "bindings.h"
 #include "parameters.h"
@@ -14,8 +16,9 @@
 #include <CGAL/Wireframe_extraction/contract_skeleton.h>
 #include <CGAL/Wireframe_extraction/detect_corners.h>
 #include <CGAL/Wireframe_extraction/estimate_distance_field.h>
-#include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
 #include <CGAL/Wireframe_extraction/fit_curves.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/input_checks.h>
 #include <CGAL/Wireframe_extraction/recognize_curve_types.h>
 #include <CGAL/Wireframe_extraction/refine_field.h>
 #include <CGAL/Wireframe_extraction/segment_curves.h>
@@ -56,15 +59,17 @@ public:
 
   // The stages in their order; each takes what the ones before have left.
 
+  // looks at the cloud as the whole extraction does, which refuses more than the stages that follow
   py::dict measure(const py::object& progress)
   {
-    return run(progress, [this](const auto& np) {
-      const auto range = index_range(m_points.points);
-      if (!(m_parameters.sampling_distance > 0.))
-        m_parameters.sampling_distance = m_distances_array.is_none()
-          ? wireframe::estimate_sampling_distance(range, np.point_map(m_points))
-          : wireframe::estimate_sampling_distance(range, np.point_map(m_points).distance_map(m_distances));
-    });
+    Report report;
+    run_beside(
+      [&](Work_state& state) {
+        if (!is_measured(state, report) && report.status == Report::Status::SUCCESS)
+          report.status = Report::Status::INVALID_INPUT;
+      },
+      m_threads, progress);
+    return report_dict(report);
   }
 
   py::dict estimate(const py::object& progress)
@@ -226,6 +231,27 @@ public:
   std::shared_ptr<Wireframe> typed() const { return m_typed; }
 
 private:
+  // returns whether all is well; else the report has a message
+  bool is_measured(Work_state& state, Report& report)
+  {
+    report.message = wireframe::internal::out_of_range(m_parameters);
+    if (!report.message.empty())
+      return false;
+    Array_cloud array(m_points.points, m_distances.given, !m_distances_array.is_none());
+    Stoppable_cloud source(array, state);
+    wireframe::internal::Surveyed_cloud cloud(source, m_parameters.points_in_memory);
+    if (!wireframe::internal::survey(cloud, m_parameters.skip_invalid, report)
+        || !wireframe::internal::check_dimension(cloud, report))
+      return false;
+    const wireframe::internal::Cloud_scale scale = cloud.scale();
+    double& r = m_parameters.sampling_distance;
+    if (!wireframe::internal::check_scale(cloud, scale, r, report))
+      return false;
+    if (!(r > 0.))
+      r = scale.sampling_distance;
+    return !cloud.has_distances() || wireframe::internal::check_truncation(cloud, r, m_parameters, report);
+  }
+
   // runs one stage, and returns how it went
   template <class Stage>
   py::dict run(const py::object& progress, const Stage& stage)

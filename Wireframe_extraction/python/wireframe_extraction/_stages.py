@@ -125,6 +125,7 @@ class Extractor:
         self._core = _core.Stages(self._points, given, values, _parameters.checked_threads(threads))
         self._skipped = ("estimate",) if given is not None else ()
         self._number_of_done = 0
+        self._warnings: list[str] = []
 
     def _run(self, stage: str) -> _core.Stages:
         """Run all stages up to one, as far as they have not been run."""
@@ -132,7 +133,11 @@ class Extractor:
         while self._number_of_done <= last:
             name = _STAGES[self._number_of_done]
             if name not in self._skipped:
-                checked_report(getattr(self._core, name)(self._progress), stacklevel=4)
+                report = getattr(self._core, name)(self._progress)
+                # several stages look at the cloud, and may find the same
+                report["warnings"] = [text for text in report["warnings"] if text not in self._warnings]
+                self._warnings += report["warnings"]
+                checked_report(report, stacklevel=4)
             self._number_of_done += 1
         return self._core
 

@@ -61,6 +61,13 @@ def test_parameters(box):
     assert len(we.Extractor(*box, skeleton_distance=1.0).skeleton.points) < len(we.Extractor(*box).skeleton.points)
 
 
+def test_warnings_come_once(cylinder):
+    points, distances = cylinder
+    with pytest.warns(we.ExtractionWarning) as caught:
+        we.Extractor(points, distances * 5).wireframe
+    assert ["large errors" in str(warning.message) for warning in caught] == [True] and caught[0].filename == __file__
+
+
 def test_own_results_in_the_middle(box, box_wireframe, tmp_path):
     extractor = we.Extractor(*box)
     extractor.corners = extractor.corners
@@ -85,3 +92,16 @@ def test_bad_results(cylinder, call, error, text):
     with pytest.raises(error) as raised:
         call(we.Extractor(*cylinder))
     assert text in str(raised.value)
+
+
+@pytest.mark.parametrize("change, text", [
+    (lambda p, d: (p * 0, d), "coincide"), (lambda p, d: (p * [1, 0, 0], d), "one line"),
+    (lambda p, d: (p, d * 0), "all distances are 0"), (lambda p, d: (p, d * 1e3), "another unit"),
+    (lambda p, d: (p, np.minimum(d, 0.01)), "cut off"), (lambda p, d: (p * np.nan, d), "not finite")])
+def test_bad_clouds(cylinder, change, text):
+    cloud = change(*cylinder)
+    for call in (lambda: we.Extractor(*cloud).sampling_distance, lambda: we.extract(*cloud)):
+        with pytest.raises(ValueError, match=text):
+            call()
+    with pytest.raises(ValueError, match="corner_radius is -1"):
+        we.Extractor(*cylinder, corner_radius=-1).sampling_distance
