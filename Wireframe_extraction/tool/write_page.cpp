@@ -310,6 +310,9 @@ bool write_page(std::ostream& stream, const Page_texts& texts, const Cloud& clou
   std::vector<std::size_t> indices = indices_of_valid(cloud);
   for (const std::size_t i : indices)
     frame.add(coordinates_of(cloud[i].first));
+  if (indices.empty()) // the curves say where everything is
+    for (const Coordinates& point : sampled.points)
+      frame.add(point);
   if (!std::isfinite(frame.size()) || !(frame.size() > 0.))
   {
     error = "the cloud is too large or too small to be drawn; scale it";

@@ -36,7 +36,7 @@ struct Page_texts
 // whether the tool was built with the viewer that the page consists of
 bool has_viewer();
 
-// Writes the page. What is wrong with the wireframe or the cloud is told in `error`.
+// Writes the page. The cloud may be empty. What is wrong with the wireframe or the cloud is told in `error`.
 bool write_page(std::ostream& stream, const Page_texts& texts, const Cloud& cloud,
                 const std::vector<Recorded_stage>& stages, const CGAL::Wireframe<Kernel>& wireframe,
                 std::string& error);

@@ -17,14 +17,12 @@ _MOST_POINTS = 1_000_000
 _HEIGHT = 480
 
 
-def _samples(wireframe: Wireframe, points: Any, distances: Any) -> npt.NDArray[np.float64]:
-    """Return the cloud that is shown, as rows of three coordinates and a distance; without one, points of the
-    curves."""
+def _samples(points: Any, distances: Any) -> npt.NDArray[np.float64]:
+    """Return the cloud that is shown, as rows of three coordinates and a distance."""
     if points is None:
         if distances is not None:
             raise ValueError("distances goes with points; give both, or none")
-        curves, _ = wireframe.sample()
-        return np.column_stack([curves, np.zeros(len(curves))])
+        return np.empty((0, 4))
     cloud = _arrays.finite_points(points)
     values = _arrays.distances(distances, len(cloud))
     step = -(-len(cloud) // _MOST_POINTS) or 1
@@ -55,8 +53,8 @@ def _drawing(wireframe: Wireframe) -> str:
 
 def page(wireframe: Wireframe, points: Any, distances: Any, title: str, unit: str) -> str:
     """Return a page. See `Wireframe.to_html()`."""
-    samples = _samples(wireframe, points, distances)
-    if _core.has_viewer() and len(samples):
+    samples = _samples(points, distances)
+    if _core.has_viewer() and wireframe.curves:
         texts = wireframe.report.warnings if wireframe.report is not None else []
         return _core.page(wireframe._core, samples, title, unit, _summary(wireframe), texts)
     return (f'<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>{html.escape(title)}</title></head>'

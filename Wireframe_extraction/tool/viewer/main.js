@@ -18,8 +18,11 @@ const state = {
 
 document.title = `${data.title} – wireframe`;
 byId("title").textContent = data.title;
-byId("subtitle").textContent = `${data.curves.length} curves, ${data.number_of_points.toLocaleString("en")} points, `
+const hasCloud = data.number_of_points > 0; // which only the tool always has
+byId("subtitle").textContent = `${data.curves.length} curves, `
+  + (hasCloud ? `${data.number_of_points.toLocaleString("en")} points, ` : "")
   + `r = ${short(data.sampling_distance)} ${unit}`;
+byId("cloud-settings").hidden = !hasCloud;
 
 const view = makeView();
 const table = new CurveTable(byId("curves"), byId("curves-note"), unit, {
@@ -53,7 +56,8 @@ function addLayer(name, title, count, isVisible) {
   byId("layers").append(label);
 }
 
-addLayer("cloud", "Cloud", data.cloud.samples.length / 4, true);
+if (hasCloud)
+  addLayer("cloud", "Cloud", data.cloud.samples.length / 4, true);
 for (const layer of data.layers)
   addLayer(layer.name, layer.title, layer.count, false);
 addLayer("vertices", "Vertices", data.vertices.length / 3, true);

@@ -99,6 +99,7 @@ export class View {
       }
     });
     this.add("cloud", new Points(geometry, this.cloudMaterial));
+    this.objects.cloud.visible = this.numberOfPoints > 0;
     this.setPointSize(2.5);
   }
 
