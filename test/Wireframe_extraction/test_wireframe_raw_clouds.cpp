@@ -81,6 +81,13 @@ const Raw_shape& box()
   return shape;
 }
 
+// what many a test compares with
+const Wireframe& wireframe_of_box()
+{
+  static const Wireframe wireframe = CGAL::extract_wireframe(box().points);
+  return wireframe;
+}
+
 double distance(const Point& p, const Point& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
 
 double median(std::vector<double> values)
@@ -396,8 +403,7 @@ bool are_same(const Wireframe& a, const Wireframe& b)
 void test_invariance()
 {
   const Points& points = box().points;
-  const Wireframe wireframe = CGAL::extract_wireframe(points);
-  assert(are_near(CGAL::extract_wireframe(shuffled(points, 7)), wireframe, 1e-6 * r));
+  assert(are_near(CGAL::extract_wireframe(shuffled(points, 7)), wireframe_of_box(), 1e-6 * r));
 
   // by a quarter turn and a power of two, rounding has little to say; the sample for r is another one after any motion
   const double scale = 4.;
@@ -422,15 +428,15 @@ void test_invariance()
 
 void test_threads()
 {
-  const Wireframe wireframe = CGAL::extract_wireframe(box().points);
+  const Wireframe& wireframe = wireframe_of_box();
   assert(are_same(CGAL::extract_wireframe<CGAL::Sequential_tag>(box().points), wireframe));
 #ifdef CGAL_LINKED_WITH_TBB
+  const std::vector<double> distances = WE::estimate_distance_field<CGAL::Sequential_tag>(box().points).distances;
   for (std::size_t count : {1, 3})
   {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, count);
     assert(are_same(CGAL::extract_wireframe(box().points), wireframe));
-    assert(WE::estimate_distance_field(box().points).distances
-           == WE::estimate_distance_field<CGAL::Sequential_tag>(box().points).distances);
+    assert(WE::estimate_distance_field(box().points).distances == distances);
   }
 #endif
 }
@@ -438,8 +444,7 @@ void test_threads()
 // a bound on the points in memory is no error, but is none for these clouds
 void test_points_in_memory()
 {
-  assert(
-    are_same(CGAL::extract_wireframe(box().points, WP::points_in_memory(1000)), CGAL::extract_wireframe(box().points)));
+  assert(are_same(CGAL::extract_wireframe(box().points, WP::points_in_memory(1000)), wireframe_of_box()));
 }
 
 // ---- the one call
@@ -504,7 +509,7 @@ void test_normals()
   std::vector<std::pair<Point, Vector>> points;
   for (const Point& p : box().points)
     points.emplace_back(p, Vector(0, 0, 1));
-  const Wireframe wireframe = CGAL::extract_wireframe(box().points);
+  const Wireframe& wireframe = wireframe_of_box();
   assert(are_same(CGAL::extract_wireframe(points), wireframe));
   const auto map = CGAL::First_of_pair_property_map<std::pair<Point, Vector>>();
   assert(are_same(CGAL::extract_wireframe(points, WP::point_map(map)), wireframe));
@@ -533,7 +538,7 @@ void test_source()
   Report report;
   const Wireframe wireframe =
     CGAL::extract_wireframe_from_source<Kernel>(source, WP::extraction_report(std::ref(report)));
-  assert(report.is_field_estimated && are_same(wireframe, CGAL::extract_wireframe(box().points)));
+  assert(report.is_field_estimated && are_same(wireframe, wireframe_of_box()));
   assert(are_same(CGAL::extract_wireframe_from_source<Kernel>(source, WP::points_in_memory(1000)), wireframe));
 }
 

@@ -41,7 +41,7 @@ Sample_solids::Cloud samples_of(const std::string& name, Sample_solids::Sampling
                                 Sample_solids::Field_kind field)
 {
   Sample_solids::Sampling_options options;
-  options.sampling_distance = 0.015;
+  options.sampling_distance = 0.02;
   options.sampling = sampling;
   options.field = field;
   options.truncation = 20.;
@@ -108,9 +108,11 @@ void test_clouds_that_are_gone_over_several_times()
   for (const char* name : {"box_with_hole", "cylinder"})
     for (Sampling sampling : {Sampling::POISSON, Sampling::UNIFORM})
       for (Field_kind field : {Field_kind::EXACT, Field_kind::DEF})
+      {
+        const Sample_solids::Cloud samples = samples_of(name, sampling, field);
         for (bool is_single : {false, true})
         {
-          const Cloud cloud = cloud_of(samples_of(name, sampling, field), is_single);
+          const Cloud cloud = cloud_of(samples, is_single);
           const Skeleton expected = skeleton_of(cloud, cloud.size());
           assert(expected.size() > 100 && cloud.size() > 5000);
           check_identical(expected, skeleton_of(cloud, cloud.size() - 1));
@@ -124,6 +126,7 @@ void test_clouds_that_are_gone_over_several_times()
             assert(values_of(expected) == values_of(skeleton));
           }
         }
+      }
 }
 
 void test_duplicates()
@@ -212,7 +215,7 @@ void test_memory_for_coarse_fields()
   double r[2];
   for (bool is_coarse : {false, true})
   {
-    Square_source source(3000000, is_coarse);
+    Square_source source(2000000, is_coarse);
     wireframe::internal::Surveyed_cloud cloud(source, 20000);
     const bool is_read = cloud.survey();
     assert(is_read && !cloud.is_in_memory());
