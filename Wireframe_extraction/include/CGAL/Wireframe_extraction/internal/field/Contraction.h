@@ -26,6 +26,8 @@ struct Contraction
 {
   std::vector<Local_curve> curves;
   std::vector<double> residuals;     // of the field close to the foot, in sampling distances
+  std::vector<double> own_residuals; // the same without the points that are other curves'
+  bool has_several_curves = false;   // whether fits of several curves told which is whose
   double noise = 0.;                 // the median of the residuals
   std::vector<Traced_curve> creases; // curves along creases of the surface, where these were looked for
 

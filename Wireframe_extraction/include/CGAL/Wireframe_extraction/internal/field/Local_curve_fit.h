@@ -12,17 +12,17 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_LOCAL_CURVE_FIT_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_LOCAL_CURVE_FIT_H
 
-#include <CGAL/Wireframe_extraction/internal/base/Symmetric_factorization.h>
 #include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
 #include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
 #include <CGAL/Wireframe_extraction/internal/field/Local_curve.h>
-#include <CGAL/Wireframe_extraction/internal/field/Section_sums.h>
+#include <CGAL/Wireframe_extraction/internal/field/local_curve_step.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -41,28 +41,21 @@ struct Local_fit_options
 // Robust Gauss-Newton steps on the sum of rho(d_i - |p_i - c(p_i)|).
 class Local_curve_fit
 {
-  struct Sample
-  {
-    Vector point;
-    double distance, deviation, weight;
-  };
+  typedef Local_curve_sample Sample;
 
   const Field_band& m_band;
   std::vector<std::size_t> m_ball;
   Vector m_center = Vector::Zero();
   double m_radius = -1.;
-  std::vector<Sample> m_samples; // of the ball, for a fit
+  std::vector<Sample> m_samples;     // of the ball, for a fit
+  std::vector<Local_curve> m_others; // curves nearby that explain points of their own
 
   // Thresholds. Lengths are in sampling distances.
 
   // The scale above which residuals count as outliers starts where the first guess may be off, and shrinks.
   static constexpr double first_scale = 1.2, shrinking = 0.6;
-  // steps beyond `longest_step` leave what the linearisation knows; those below `settled_step` change nothing
-  static constexpr double longest_step = 1., settled_step = 1e-4;
-  // On the curve itself, the direction to it is undefined: nearer than that, it counts for less, and in the end not.
-  static constexpr double near_curve = 0.05, on_curve = 1e-9;
-  // keeps the equations solvable where no point tells
-  static constexpr double least_damping = 1e-3, relative_damping = 0.5e-3;
+  // steps below it change nothing
+  static constexpr double settled_step = 1e-4;
   // Balls are tried from large to small: large ones average more noise away, small ones follow small features.
   static constexpr int number_of_radii = 4;
   static constexpr double radius_factors[number_of_radii] = {1.6, 1., 0.6, 0.4};
@@ -72,15 +65,26 @@ class Local_curve_fit
   // of a curve that too few points agree with, and the most that a single point counts for
   static constexpr double worst_residual = 1.;
   static constexpr std::size_t least_points = 4;
-  // of the ball in which residuals are taken
-  static constexpr double residual_radius = 2.;
   // variance of distances that are known better than that: curves are no parabolas
   static constexpr double least_variance = 0.01;
 
 public:
+  static constexpr double residual_radius = 2.; // r, of the ball in which residuals are taken
+
   explicit Local_curve_fit(const Field_band& band) : m_band(band) {}
 
   const std::vector<std::size_t>& ball() const { return m_ball; }
+
+  // from now on, points that these curves explain better, and are nearer to, say nothing
+  void set_other_curves(const std::vector<Local_curve>& others) { m_others = others; }
+
+  double distance_to_others(const Vector& p) const
+  {
+    double result = (std::numeric_limits<double>::infinity)();
+    for (const Local_curve& other : m_others)
+      result = (std::min)(result, other.distance(p));
+    return result;
+  }
 
   // the main axis of the points near `center` weighted by their closeness to the feature
   Local_curve principal_axis(const Vector& center, double radius)
@@ -126,7 +130,7 @@ public:
       // the outliers leave gradually, or the first guess would decide alone
       const double scale = (std::max)(options.scale, first_scale * std::pow(shrinking, k));
       curve.move_along_to(center);
-      if (step(curve, options, scale) < settled_step && scale == options.scale)
+      if (improve(curve, m_samples, options.bend_deviation, scale) < settled_step && scale == options.scale)
         break;
     }
     curve.move_along_to(center);
@@ -139,7 +143,7 @@ public:
     for (int k = 0; k < options.iterations; ++k)
     {
       curve.move_along_to(center);
-      if (step(curve, options, options.scale) < settled_step)
+      if (improve(curve, m_samples, options.bend_deviation, options.scale) < settled_step)
         break;
     }
   }
@@ -177,7 +181,10 @@ public:
     {
       const double weight =
         1. / growth_of_variance(m_band.distances[i]) / (least_variance + std::pow(m_band.deviation(i, 0.), 2));
-      const double e = m_band.distances[i] - curve.distance(m_band.points[i]);
+      const double distance = curve.distance(m_band.points[i]);
+      if (sample(i, weight).belongs_to_other(distance))
+        continue;
+      const double e = m_band.distances[i] - distance;
       sum += weight * (std::min)(worst_residual * worst_residual, e * e);
       total += weight;
     }
@@ -188,6 +195,12 @@ private:
   static double kernel(double squared_ratio)
   {
     return squared_ratio < 1. ? (1. - squared_ratio) * (1. - squared_ratio) : 0.;
+  }
+
+  Sample sample(std::size_t i, double weight) const
+  {
+    return {m_band.points[i], m_band.distances[i], m_band.deviation(i, 0.), weight,
+            distance_to_others(m_band.points[i])};
   }
 
   // one ball is often asked for several times
@@ -205,61 +218,9 @@ private:
     query(center, radius);
     m_samples.clear();
     for (std::size_t i : m_ball)
-      m_samples.push_back({m_band.points[i], m_band.distances[i], m_band.deviation(i, 0.),
-                           1. / growth_of_variance(m_band.distances[i])
-                             * kernel((m_band.points[i] - center).squaredNorm() / (radius * radius))});
-  }
-
-  double step(Local_curve& curve, const Local_fit_options& options, double scale) const
-  {
-    typedef Eigen::Matrix<double, 6, 6> Matrix6;
-    typedef Eigen::Matrix<double, 6, 1> Vector6;
-    const Vector normal = curve.tangent.unitOrthogonal();
-    const Vector binormal = curve.tangent.cross(normal);
-    Matrix6 hessian;
-    Vector6 gradient;
-    const double bend_x = curve.bend.dot(normal), bend_y = curve.bend.dot(binormal);
-    Section_sums sums;
-    for (const Sample& sample : m_samples)
-    {
-      const Vector offset = sample.point - curve.point;
-      const double s = offset.dot(curve.tangent), square = s * s;
-      const double x = offset.dot(normal) - 0.5 * square * bend_x;
-      const double y = offset.dot(binormal) - 0.5 * square * bend_y;
-      const double distance = std::sqrt(x * x + y * y);
-      if (distance < on_curve)
-        continue;
-      const double e = sample.distance - distance;
-      const double own_scale = (std::max)(scale, exceeded_by_one_in_22 * sample.deviation);
-      const double ratio = e / own_scale, worth = scale / own_scale, spread = 1. + ratio * ratio;
-      const double weight = sample.weight * worth * worth / (spread * spread);
-      // on the curve itself, the direction to it is undefined
-      const double per_distance = 1. / (std::max)(distance, near_curve);
-      const double powers[5] = {1., s, square, square * s, square * square};
-      sums.add(powers, x * per_distance, y * per_distance, weight, e);
-    }
-    sums.assemble(hessian, gradient);
-    // a prior on the curvature, and a little damping for the rest
-    const double prior = scale * scale / (options.bend_deviation * options.bend_deviation);
-    hessian(4, 4) += prior;
-    hessian(5, 5) += prior;
-    gradient(4) -= prior * bend_x;
-    gradient(5) -= prior * bend_y;
-    // the same for both normals, since their directions are arbitrary
-    for (int k = 0; k < 6; k += 2)
-    {
-      const double damping = least_damping + relative_damping * (hessian(k, k) + hessian(k + 1, k + 1));
-      hessian(k, k) += damping;
-      hessian(k + 1, k + 1) += damping;
-    }
-    const Vector6 delta = Symmetric_factorization(hessian).solved(gradient);
-    const double length = delta.head<2>().norm();
-    const double shrink = length > longest_step ? longest_step / length : 1.;
-    curve.point += shrink * (delta(0) * normal + delta(1) * binormal);
-    curve.bend += shrink * (delta(4) * normal + delta(5) * binormal);
-    curve.tangent = (curve.tangent + shrink * (delta(2) * normal + delta(3) * binormal)).normalized();
-    curve.bend -= curve.bend.dot(curve.tangent) * curve.tangent;
-    return length + delta.tail<4>().norm();
+      m_samples.push_back(sample(i,
+                                 1. / growth_of_variance(m_band.distances[i])
+                                   * kernel((m_band.points[i] - center).squaredNorm() / (radius * radius))));
   }
 };
 

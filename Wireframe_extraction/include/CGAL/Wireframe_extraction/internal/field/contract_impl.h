@@ -16,6 +16,7 @@
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
 #include <CGAL/Wireframe_extraction/internal/field/Local_curve_fit.h>
+#include <CGAL/Wireframe_extraction/internal/field/Several_curves_contraction.h>
 #include <CGAL/Wireframe_extraction/internal/field/contract.h>
 
 #include <algorithm>
@@ -29,26 +30,6 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// The sign of an eigenvector is arbitrary: the first point of the ball that is clearly on one side decides which way a
-// curve goes.
-inline void orient(Local_curve& curve, const Field_band& band, const std::vector<std::size_t>& ball)
-{
-  static constexpr double clear_side = 0.5; // r, so that rounding does not decide
-  double side = 0.;
-  std::size_t first = band.size();
-  for (std::size_t j : ball)
-  {
-    const double s = curve.parameter(band.points[j]);
-    if (std::abs(s) > clear_side && j < first)
-    {
-      first = j;
-      side = s;
-    }
-  }
-  if (side < 0.)
-    curve.tangent = -curve.tangent;
-}
-
 CGAL_WIREFRAME_EXTRACTION_INLINE bool contract(const Field_band& band, double radius,
                                                const std::function<bool(double)>& proceed, Contraction& result)
 {
@@ -57,26 +38,39 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool contract(const Field_band& band, double ra
   std::vector<std::size_t> order = band.search.spatial_order();
   order.erase(std::remove_if(order.begin(), order.end(), [&](std::size_t i) { return i >= band.skeleton_size; }),
               order.end());
+  // the fits of balls that are smaller, and see one of several curves more often
+  static constexpr double share_of_small_balls = 0.7;
+  std::vector<std::vector<Local_curve>> small(band.skeleton_size);
   const bool is_complete = for_each_piece_or_cancel(
     order.size(),
     [&](std::size_t begin, std::size_t end) {
       Local_curve_fit fit(band);
       Local_fit_options options;
       options.radius = radius;
+      std::size_t current = 0;
       for (std::size_t k = begin; k < end; ++k)
       {
         const std::size_t i = order[k];
+        current = i;
         result.residuals[i] = fit.refine_with_best_radius(result.curves[i], options,
                                                           [&](Local_curve& curve, const Local_fit_options& scaled) {
                                                             curve = fit.principal_axis(band.points[i], scaled.radius);
                                                             fit.refine(curve, band.points[i], scaled);
                                                             orient(curve, band, fit.ball());
+                                                            if (scaled.radius < share_of_small_balls * radius)
+                                                              small[current].push_back(curve);
                                                           });
       }
     },
     proceed);
   result.noise = median(result.residuals);
-  return is_complete;
+  result.own_residuals = result.residuals;
+  if (!is_complete)
+    return false;
+  Several_curves_contraction several(band, order, small, result);
+  if (!several.is_of_use())
+    return true;
+  return several.run(proceed);
 }
 
 CGAL_WIREFRAME_EXTRACTION_INLINE bool contract(Skeleton_data& skeleton, const Extraction_options& options,

@@ -16,11 +16,13 @@
 #include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
 #include <CGAL/Wireframe_extraction/internal/network/Network_editor.h>
 #include <CGAL/Wireframe_extraction/internal/network/Position_belief.h>
+#include <CGAL/Wireframe_extraction/internal/network/crossings.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <map>
 #include <queue>
 #include <tuple>
 #include <vector>
@@ -138,6 +140,26 @@ public:
     }
   }
 
+  // Two curves that pass through one place in different directions end there: a shape has a vertex where four edges meet.
+  void split_crossings()
+  {
+    Incidences incidences = m_network.incidences();
+    std::map<std::size_t, std::vector<std::size_t>> pieces; // of the curves that are split
+    for (const Curve_crossing& crossing : crossings(m_network, m_options.across(), least_distance_to_ends))
+    {
+      const std::size_t node = m_network.nodes.size();
+      m_network.nodes.push_back(crossing.place);
+      incidences.emplace_back();
+      for (std::size_t c : crossing.curves)
+      {
+        std::vector<std::size_t>& of_curve = pieces[c];
+        if (of_curve.empty())
+          of_curve.push_back(c);
+        split_at(of_curve, node, crossing.place, incidences);
+      }
+    }
+  }
+
 private:
   Cluster cluster_of(const std::vector<Curve_end>& ends) const
   {
@@ -244,17 +266,23 @@ private:
       m_network.nodes[split.node] = split.place;
       attach(ends.front(), split.node);
     }
-    const Place_on_curve at = nearest_place(pieces, split.place);
+    split_at(pieces, split.node, split.place, incidences);
+  }
+
+  void split_at(std::vector<std::size_t>& pieces, std::size_t node, const Vector& place, Incidences& incidences)
+  {
+    std::vector<Curve_end>& ends = incidences[node];
+    const Place_on_curve at = nearest_place(pieces, place);
     Network_curve& curve = m_network.curves[at.curve];
     for (std::size_t end : curve.nodes)
-      if (end != no_node && end != split.node && (m_network.nodes[end] - split.place).norm() < least_piece)
+      if (end != no_node && end != node && (m_network.nodes[end] - place).norm() < least_piece)
       {
-        move_ends(split.node, end, incidences); // an earlier split was there
+        move_ends(node, end, incidences); // an earlier split was there
         return;
       }
     if (curve.is_closed_without_node())
     {
-      open(curve, at.segment, split.node);
+      open(curve, at.segment, node);
       ends.insert(ends.end(), {{at.curve, 0}, {at.curve, 1}});
       return;
     }
@@ -262,7 +290,7 @@ private:
     std::vector<Curve_end>& ends_beyond = incidences[curve.nodes[1]];
     rename(ends_beyond, {at.curve, 1}, {beyond, 1});
     ends.insert(ends.end(), {{at.curve, 1}, {beyond, 0}});
-    m_network.curves.push_back(cut_off(curve, at.segment, split.node));
+    m_network.curves.push_back(cut_off(curve, at.segment, node));
     pieces.push_back(beyond);
   }
 

@@ -67,6 +67,7 @@ public:
     Corner_merger corners(m_network, m_options);
     corners.merge_nodes_that_agree();
     corners.attach_ends_to_passing_curves();
+    corners.split_crossings();
     dissolve_smooth_joints();
     bridge_gaps();
     extend_free_ends();

@@ -15,10 +15,12 @@
 #include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
+#include <CGAL/Wireframe_extraction/internal/field/Contraction.h>
 #include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
 #include <CGAL/Wireframe_extraction/internal/field/Local_curve_fit.h>
 #include <CGAL/Wireframe_extraction/internal/field/Traced_curve.h>
 #include <CGAL/Wireframe_extraction/internal/field/fronts.h>
+#include <CGAL/Wireframe_extraction/internal/network/Contracted_curves.h>
 #include <CGAL/Wireframe_extraction/internal/network/Field_explanation.h>
 #include <CGAL/Wireframe_extraction/internal/network/Tracing_options.h>
 
@@ -39,6 +41,7 @@ class Curve_tracer
   Local_curve_fit m_fit;
   const Field_explanation* m_explanation; // by other curves
   Progress* m_progress;                   // may stop a curve on its way
+  Contracted_curves m_contracted;
   std::vector<std::size_t> m_ball;
   Segment_grid m_traced;
   std::size_t m_number_of_traced = 0;
@@ -51,12 +54,14 @@ public:
   {
     SUPPORT,
     NOTHING,
+    ELSEWHERE, // the points there are other curves'
     CONTRADICTION
   };
 
   Curve_tracer(const Field_band& band, const Tracing_options& options, const Field_explanation* explanation = nullptr,
-               Progress* progress = nullptr)
-    : m_band(band), m_options(options), m_fit(band), m_explanation(explanation), m_progress(progress)
+               Progress* progress = nullptr, const Contraction* contraction = nullptr)
+    : m_band(band), m_options(options), m_fit(band), m_explanation(explanation), m_progress(progress),
+      m_contracted(band, contraction)
   {}
 
   Traced_curve trace(const Local_curve& seed)
@@ -126,7 +131,7 @@ public:
   Evidence evidence(const Local_curve& front)
   {
     m_band.search.query(front.point, Tracing_options::evidence_radius, m_ball);
-    double agreeing = 0., opposing = 0.;
+    double agreeing = 0., opposing = 0., elsewhere = 0.;
     for (std::size_t i : m_ball)
     {
       const double s = front.parameter(m_band.points[i]);
@@ -139,6 +144,11 @@ public:
       const double tolerance = agreement_tolerance(m_band.deviation(i, m_options.noise));
       const double e = m_band.distances[i] - distance;
       // a point that lies nearer to another curve says nothing about this one
+      if (e < 0. && std::abs(m_band.distances[i] - m_fit.distance_to_others(m_band.points[i])) < tolerance)
+      {
+        elsewhere += weight;
+        continue;
+      }
       if (e < 0. && m_explanation && std::abs(m_band.distances[i] - m_explanation->distance(i)) < tolerance)
         continue;
       if (std::abs(e) < tolerance)
@@ -147,8 +157,10 @@ public:
         opposing += weight;
     }
     // points that are no part of the band are far from every feature: their absence is no evidence
-    if (agreeing + opposing == 0.)
+    if (agreeing + opposing + elsewhere == 0.)
       return NOTHING;
+    if (agreeing + opposing == 0.)
+      return ELSEWHERE;
     return agreeing >= opposing ? SUPPORT : CONTRADICTION;
   }
 
@@ -161,7 +173,7 @@ private:
     tip = front;
     ends_in_void = false;
     std::size_t supported = 0, covered = 0;
-    double length = 0., gap = 0., doubt = 0.;
+    double length = 0., gap = 0., doubt = 0., among_others = 0.;
     Local_fit_options options;
     options.radius = m_options.radius;
     options.scale = m_options.fit_scale();
@@ -200,6 +212,12 @@ private:
         if (doubt > m_options.maximum_doubt())
           break;
       }
+      if (found == ELSEWHERE)
+      {
+        among_others += m_options.step;
+        if (among_others > Tracing_options::longest_among_others)
+          break;
+      }
       path.push_back(front.point);
       residuals.push_back(residual);
       if (path.size() > trail)
@@ -208,7 +226,7 @@ private:
       {
         tip = front;
         supported = path.size();
-        gap = doubt = 0.;
+        gap = doubt = among_others = 0.;
       }
       else if (found == NOTHING)
       {
@@ -230,6 +248,15 @@ private:
   // the ball lies a little behind, where the curve is known to be
   double refine_at_front(Local_curve& front, const Vector& position, const Local_fit_options& options)
   {
+    if (m_contracted.is_known())
+    {
+      m_fit.set_other_curves(m_contracted.others(front, m_options.corridor()));
+      if (m_contracted.agree_on(front, m_options.noise))
+      {
+        front.move_along_to(position);
+        return m_fit.residual(front, front.point, Local_curve_fit::residual_radius);
+      }
+    }
     const Vector back = -Tracing_options::ball_behind_front * front.tangent;
     return m_fit.refine_with_best_radius(front, options, [&](Local_curve& curve, const Local_fit_options& scaled) {
       m_fit.refine_from(curve, position + scaled.radius * back, scaled);

@@ -294,7 +294,7 @@ private:
 
   std::vector<Traced_curve> trace(std::vector<std::size_t> seeds, Progress& progress) const
   {
-    const std::vector<double>& residuals = m_contraction.residuals;
+    const std::vector<double>& residuals = m_contraction.own_residuals;
     std::sort(seeds.begin(), seeds.end(), [&](std::size_t a, std::size_t b) {
       const double ra = (std::max)(residuals[a], equal_residual), rb = (std::max)(residuals[b], equal_residual);
       return ra < rb || (ra == rb && a < b);
@@ -302,7 +302,7 @@ private:
     const double noise = m_contraction.noise;
     std::vector<Traced_curve> curves;
     Field_explanation explanation(m_band);
-    Curve_tracer tracer(m_band, m_tracing, &explanation, &progress);
+    Curve_tracer tracer(m_band, m_tracing, &explanation, &progress, &m_contraction);
     for (const Traced_curve& curve : m_contraction.creases)
     {
       explanation.add(curve.points);

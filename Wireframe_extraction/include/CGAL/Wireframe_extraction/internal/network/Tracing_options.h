@@ -37,6 +37,9 @@ struct Tracing_options
   static constexpr double least_doubt = 0.25, doubt_per_noise = 4.;
   double maximum_doubt() const { return least_doubt + doubt_per_noise * noise; }
 
+  // Where all points are other curves', a curve is believed for the distance of two points; it has one of its own then.
+  static constexpr double longest_among_others = 1.;
+
   // Residuals beyond it count as outliers in the local fits: two standard deviations, but no less than what a parabola
   // misses of a curved edge.
   static constexpr double least_fit_scale = 0.15, fit_scale_per_noise = 2.;
