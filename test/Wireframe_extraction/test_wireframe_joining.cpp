@@ -197,6 +197,61 @@ void test_two_splits_at_one_place()
   assert(network.curves[1].nodes[1] == network.curves[2].nodes[1]);
 }
 
+// Curves that pass through one place end there: straight ones, in any direction, and closed ones twice.
+void test_crossings_are_vertices()
+{
+  for (double gap : {0., 0.15})
+    for (double angle : {40., 90., 140.})
+    {
+      const Vector along(std::cos(angle * CGAL_PI / 180.), std::sin(angle * CGAL_PI / 180.), 0.);
+      const Vector above(0.1, 0.2, gap);
+      Curve_network network(std::vector<Traced_curve>{
+        open_curve(straight(Vector(-20., 0., 0.), Vector(15., 0., 0.))),
+        open_curve(straight(above - 10. * along, above + 12. * along)),
+      });
+      Corner_merger(network, options).split_crossings();
+      check_ends(network);
+      assert(living(network).size() == 4);
+      assert(number_of_ends_at(network, Vector::Zero(), 1.) == 4);
+    }
+  Polyline circle;
+  for (int k = 0; k <= 60; ++k)
+    circle.push_back(10. * Vector(std::cos(k * CGAL_PI / 30.), std::sin(k * CGAL_PI / 30.), 0.));
+  circle.back() = circle.front();
+  Traced_curve closed;
+  closed.points = circle;
+  closed.is_closed = true;
+  Curve_network network(
+    std::vector<Traced_curve>{closed, open_curve(straight(Vector(-20., 1., 0.), Vector(20., 1., 0.)))});
+  Corner_merger(network, options).split_crossings();
+  check_ends(network);
+  assert(living(network).size() == 5);
+  for (double side : {-1., 1.})
+    assert(number_of_ends_at(network, Vector(side * std::sqrt(99.), 1., 0.), 0.5) == 4);
+}
+
+// Curves that touch, pass at a distance or end where they meet do not cross.
+void test_no_crossings()
+{
+  const Polyline line = straight(Vector(-20., 0., 0.), Vector(20., 0., 0.));
+  Joining_options noisy;
+  noisy.noise = 0.3;
+  Curve_network crossed(
+    std::vector<Traced_curve>{open_curve(line), open_curve(straight(Vector(0., -20., 0.), Vector(0., 20., 0.)))});
+  Corner_merger(crossed, noisy).split_crossings();
+  assert(living(crossed).size() == 2); // which may be one edge that was traced twice
+  for (const Polyline& other :
+       {straight(Vector(-20., 0.1, 0.), Vector(20., 0.1, 0.)), straight(Vector(-20., -4., 0.), Vector(20., 4., 0.)),
+        straight(Vector(0., -20., 0.5), Vector(0., 20., 0.5)), straight(Vector(0., -20., 0.), Vector(0., 1., 0.)),
+        straight(Vector(19., -20., 0.), Vector(19., 20., 0.))})
+  {
+    Curve_network network(std::vector<Traced_curve>{open_curve(line), open_curve(other)});
+    Corner_merger(network, options).split_crossings();
+    check_ends(network);
+    assert(living(network).size() == 2);
+  }
+}
+
 // Ends that meet in corners --------------------------------------------------------------------------
 
 void test_ends_that_agree_become_one_corner()
@@ -619,6 +674,8 @@ int main()
   test_several_ends_on_one_segment();
   test_end_of_a_curve_that_is_split();
   test_two_splits_at_one_place();
+  test_crossings_are_vertices();
+  test_no_crossings();
   test_ends_that_disagree();
   test_smooth_joints();
   test_ends_that_agree_become_one_corner();

@@ -94,11 +94,92 @@ Field_points rim(double radius, std::mt19937& random)
   return field;
 }
 
+// A step of height `h` whose edges are the x-axis and the line above it.
+Field_points step(double h, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> jitter(-0.4, 0.4);
+  Field_points field;
+  for (double s = -20.; s < 20.; ++s)
+    for (double t = -4.; t < h + 4.; ++t)
+    {
+      const double x = s + jitter(random), u = t + jitter(random);
+      const double z = (std::min)(h, (std::max)(0., u));
+      const Vector p(x, u - z, z);
+      field.points.push_back(p);
+      field.distances.push_back((std::min)(std::hypot(p.y(), p.z()), std::hypot(p.y(), p.z() - h)));
+    }
+  return field;
+}
+
 Local_curve along_x(double x)
 {
   Local_curve curve;
   curve.point = Vector(x, 0., 0.);
   return curve;
+}
+
+// Contraction -----------------------------------------------------------------------------------------
+
+// Feet lie on the nearest of two edges whose balls always hold the other one, and not between them.
+void test_contraction_between_close_edges()
+{
+  std::mt19937 random(21);
+  for (double h : {1.5, 2., 3.})
+  {
+    const Field_band band = band_of(step(h, random));
+    Contraction contraction;
+    assert(contract(
+      band, 4., [](double) { return true; }, contraction));
+    assert(contraction.has_several_curves && contraction.noise < 0.02);
+    std::size_t on_edge = 0, all = 0;
+    for (std::size_t i = 0; i < band.skeleton_size; ++i)
+    {
+      const Vector &p = band.points[i], &foot = contraction.curves[i].point;
+      if (std::abs(p.x()) > 17.)
+        continue;
+      ++all;
+      const double z = std::hypot(p.y(), p.z()) < std::hypot(p.y(), p.z() - h) ? 0. : h;
+      on_edge += std::hypot(foot.y(), foot.z() - z) < 0.1 && std::abs(contraction.curves[i].tangent.x()) > 0.98;
+    }
+    assert(100 * on_edge >= 95 * all);
+  }
+}
+
+// A field whose errors are larger than what it could tell apart is left to single fits.
+void test_contraction_of_a_noisy_field()
+{
+  std::mt19937 random(22);
+  std::normal_distribution<double> error(0., 0.3);
+  Field_points field = fold(-20., 20., random);
+  for (double& distance : field.distances)
+    distance = std::abs(distance + error(random));
+  Contraction contraction;
+  assert(contract(
+    band_of(field), 4., [](double) { return true; }, contraction));
+  assert(!contraction.has_several_curves && contraction.residuals == contraction.own_residuals);
+}
+
+// Both edges of a step are traced to their ends, also where one seed is all that is known of each.
+void test_traces_of_close_edges()
+{
+  std::mt19937 random(23);
+  for (double h : {1.5, 2., 3.})
+  {
+    const Field_band band = band_of(step(h, random));
+    Contraction contraction;
+    assert(contract(
+      band, 4., [](double) { return true; }, contraction));
+    Curve_tracer tracer(band, Tracing_options(), nullptr, nullptr, &contraction);
+    for (double z : {0., h})
+    {
+      Local_curve seed = along_x(1.);
+      seed.point.z() = z;
+      const Traced_curve curve = tracer.trace(seed);
+      assert(!curve.is_closed && std::abs(curve.length() - 40.) < 3.);
+      for (const Vector& p : curve.points)
+        assert(std::hypot(p.y(), p.z() - z) < 0.15);
+    }
+  }
 }
 
 // Curve_tracer ----------------------------------------------------------------------------------------
@@ -597,6 +678,9 @@ void test_cancelling()
 
 int main()
 {
+  test_contraction_between_close_edges();
+  test_contraction_of_a_noisy_field();
+  test_traces_of_close_edges();
   test_trace_of_a_line();
   test_trace_of_a_circle();
   test_trace_stops_at_a_contradiction();

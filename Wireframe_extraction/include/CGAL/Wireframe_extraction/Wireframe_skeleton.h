@@ -97,9 +97,10 @@ public:
     return m_traits.construct_vector_3_object()(FT(t.x()), FT(t.y()), FT(t.z()));
   }
 
-  /// returns the root mean square of the field's residuals close to the foot, in the cloud's unit.
+  /// returns the root mean square of the field's residuals close to the foot, of those points that no other curve nearby
+  /// explains better, in the cloud's unit.
   /// \pre `is_contracted()` and `i < size()`
-  FT residual(std::size_t i) const { return FT(contraction().residuals[i] * m_data.unit); }
+  FT residual(std::size_t i) const { return FT(contraction().own_residuals[i] * m_data.unit); }
 
   /// returns the noise level of the field, in the cloud's unit: `noise_level` times the sampling distance if that named
   /// parameter was given, else the median of the residuals, or after `refine_field()` the typical deviation of the

@@ -17,6 +17,7 @@
 #include <CGAL/Wireframe_extraction/internal/field/Contraction.h>
 #include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
 #include <CGAL/Wireframe_extraction/internal/field/Several_curves_fit.h>
+#include <CGAL/Wireframe_extraction/internal/field/distinct_curves.h>
 #include <CGAL/Wireframe_extraction/internal/field/orient.h>
 
 #include <algorithm>
@@ -112,8 +113,7 @@ private:
         for (std::size_t k = begin; k < end; ++k)
         {
           const std::size_t i = k * m_band.skeleton_size / count;
-          // residuals of distances that agree with each other say nothing of errors that they share
-          residuals[k] = (std::max)(m_band.deviation(i, 0.), fit(workspace, i, m_contraction.curves[i], true).residual);
+          residuals[k] = fit(workspace, i, m_contraction.curves[i], true).residual;
         }
       },
       16);
@@ -123,6 +123,7 @@ private:
   Several_curves_fit::Result fit(Workspace& workspace, std::size_t i, const Local_curve& single, bool is_first) const
   {
     m_band.search.query(m_band.points[i], pool_radius, workspace.ball);
+    sort_by_distance(workspace.ball, m_band.points, m_band.points[i]); // near points know best
     workspace.pool.clear();
     for (std::size_t j : workspace.ball)
       if (j < m_band.skeleton_size)

@@ -62,8 +62,8 @@ private:
   static constexpr double scale_of_candidates = 0.3;
   static constexpr double least_gain = 1e-9; // of an exchange of candidates: less is rounding
   // the joint refinement: the scale of outliers shrinks to 1.5 deviations, within what any field and any parabola has
-  static constexpr int most_rounds = 6;
-  static constexpr double first_scale = 0.6, shrinking = 0.6, settled = 1e-3;
+  static constexpr int most_rounds = 10;
+  static constexpr double first_scale = 0.6, shrinking = 0.6, settled = 1e-5;
   static constexpr double least_scale = 0.1, most_scale = 0.3, scale_per_noise = 1.5;
   static constexpr double least_noise = 0.05, most_noise = 0.4; // of the description length, in r
   static constexpr double share_of_outliers = 0.1;              // spread evenly up to `farthest`

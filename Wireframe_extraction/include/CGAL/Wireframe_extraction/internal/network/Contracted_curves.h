@@ -19,7 +19,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -58,6 +57,7 @@ public:
   std::vector<Local_curve> others(const Local_curve& front, double corridor)
   {
     m_band.search.query(front.point, others_radius, m_ball);
+    sort_by_distance(m_ball, m_band.points, front.point);
     std::vector<Local_curve> found;
     for (std::size_t i : m_ball)
     {
@@ -68,7 +68,7 @@ public:
       if (std::abs(curve.tangent.dot(front.tangent)) < other_cosine || (curve.point - front.point).norm() > corridor)
         found.push_back(curve);
     }
-    return distinct_curves(std::move(found), front.point, most_others);
+    return distinct_curves(found, front.point, most_others);
   }
 
   // Moves the front to the mean of what the points around have found of its curve. Returns whether there are enough.

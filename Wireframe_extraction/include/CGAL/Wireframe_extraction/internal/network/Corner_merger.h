@@ -42,6 +42,8 @@ class Corner_merger : private Network_editor
   // From a node to a curve that it splits. Beliefs decide, this bounds the search: single ends are uncertain by
   // along(), about 1, so that three times this are enough.
   static constexpr double farthest_passing_curve = 3.;
+  // with larger errors, in r, two traces of one edge cross more often than two edges do
+  static constexpr double most_noise_of_crossings = 0.1;
   static constexpr double least_piece = 0.1; // splits that are closer than half of across() are at the same place
 
   struct Cluster
@@ -143,6 +145,8 @@ public:
   // Two curves that pass through one place in different directions end there: a shape has a vertex where four edges meet.
   void split_crossings()
   {
+    if (m_options.noise > most_noise_of_crossings)
+      return;
     Incidences incidences = m_network.incidences();
     std::map<std::size_t, std::vector<std::size_t>> pieces; // of the curves that are split
     for (const Curve_crossing& crossing : crossings(m_network, m_options.across(), least_distance_to_ends))
