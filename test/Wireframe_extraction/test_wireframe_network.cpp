@@ -120,6 +120,14 @@ Local_curve along_x(double x)
 
 // Contraction -----------------------------------------------------------------------------------------
 
+Contraction contracted(const Field_band& band)
+{
+  Contraction contraction;
+  assert(contract(
+    band, 4., [](double) { return true; }, contraction));
+  return contraction;
+}
+
 // Feet lie on the nearest of two edges whose balls always hold the other one, and not between them.
 void test_contraction_between_close_edges()
 {
@@ -127,9 +135,7 @@ void test_contraction_between_close_edges()
   for (double h : {1.5, 2., 3.})
   {
     const Field_band band = band_of(step(h, random));
-    Contraction contraction;
-    assert(contract(
-      band, 4., [](double) { return true; }, contraction));
+    const Contraction contraction = contracted(band);
     assert(contraction.has_several_curves && contraction.noise < 0.02);
     std::size_t on_edge = 0, all = 0;
     for (std::size_t i = 0; i < band.skeleton_size; ++i)
@@ -153,9 +159,7 @@ void test_contraction_of_a_noisy_field()
   Field_points field = fold(-20., 20., random);
   for (double& distance : field.distances)
     distance = std::abs(distance + error(random));
-  Contraction contraction;
-  assert(contract(
-    band_of(field), 4., [](double) { return true; }, contraction));
+  const Contraction contraction = contracted(band_of(field));
   assert(!contraction.has_several_curves && contraction.residuals == contraction.own_residuals);
 }
 
@@ -166,9 +170,7 @@ void test_traces_of_close_edges()
   for (double h : {1.5, 2., 3.})
   {
     const Field_band band = band_of(step(h, random));
-    Contraction contraction;
-    assert(contract(
-      band, 4., [](double) { return true; }, contraction));
+    const Contraction contraction = contracted(band);
     Curve_tracer tracer(band, Tracing_options(), nullptr, nullptr, &contraction);
     for (double z : {0., h})
     {

@@ -23,7 +23,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -85,6 +84,8 @@ public:
             const std::size_t i = m_order[k];
             const Several_curves_fit::Result found = fit(workspace, i, singles[i], pass == 0);
             fitted[i] = found.curves[found.own];
+            if (pass + 1 == number_of_passes)
+              orient(workspace, fitted[i]);
             m_contraction.own_residuals[i] = found.residual;
           }
         },
@@ -93,7 +94,6 @@ public:
         return false;
       m_contraction.curves.swap(fitted);
     }
-    orient_all();
     m_contraction.has_several_curves = true;
     m_contraction.noise = median(m_contraction.own_residuals);
     return true;
@@ -135,14 +135,10 @@ private:
     return workspace.fit.fit(m_band.points[i], single, workspace.pool);
   }
 
-  void orient_all()
+  void orient(Workspace& workspace, Local_curve& curve) const
   {
-    std::vector<std::size_t> ball;
-    for (Local_curve& curve : m_contraction.curves)
-    {
-      m_band.search.query(curve.point, radius_of_orientation, ball);
-      orient(curve, m_band, ball);
-    }
+    m_band.search.query(curve.point, radius_of_orientation, workspace.ball);
+    internal::orient(curve, m_band, workspace.ball);
   }
 };
 

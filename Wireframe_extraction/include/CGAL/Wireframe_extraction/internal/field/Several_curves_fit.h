@@ -82,22 +82,14 @@ public:
   Result fit(const Vector& center, const Local_curve& single, const std::vector<Local_curve>& pool)
   {
     collect(center);
-    choose_candidates(pool);
+    m_pool = distinct_curves(pool, center, most_candidates);
     Result result;
     result.curves = {single};
     if (m_samples.size() >= least_samples)
       choose(single, result.curves);
-    double nearest = (std::numeric_limits<double>::infinity)();
-    for (std::size_t c = 0; c < result.curves.size(); ++c)
-    {
-      result.curves[c].move_along_to(center);
-      const double distance = (result.curves[c].point - center).norm();
-      if (distance < nearest)
-      {
-        nearest = distance;
-        result.own = c;
-      }
-    }
+    for (Local_curve& curve : result.curves)
+      curve.move_along_to(center);
+    result.own = nearest_curve(result.curves, center).index;
     result.residual = residual(result);
     return result;
   }
@@ -119,11 +111,6 @@ private:
                            (std::numeric_limits<double>::infinity)()});
       m_total += weight;
     }
-  }
-
-  void choose_candidates(const std::vector<Local_curve>& pool)
-  {
-    m_pool = distinct_curves(pool, m_center, most_candidates);
   }
 
   void tabulate()
@@ -164,7 +151,7 @@ private:
     refine(curves);
     double best_length = description_length(curves);
     best = curves;
-    const double cost_of_one = parameters_of_curve * std::log((std::max)(least_weight, m_total));
+    const double cost_of_one = cost_of_curve();
     if (m_pool.empty() || best_length <= 2. * cost_of_one)
       return;
     tabulate();
@@ -234,7 +221,8 @@ private:
   {
     chosen.push_back(0);
     double least = (std::numeric_limits<double>::infinity)();
-    const auto replace = [&](std::size_t k) {
+    for (std::size_t k = chosen.size(); k-- > 0;)
+    {
       std::vector<std::size_t> trial = chosen;
       for (std::size_t c = 0; c < m_pool.size(); ++c)
       {
@@ -246,9 +234,7 @@ private:
           chosen = trial;
         }
       }
-    };
-    for (std::size_t k = chosen.size(); k-- > 0;)
-      replace(k);
+    }
     return chosen;
   }
 
@@ -266,20 +252,7 @@ private:
         own[c].clear();
       }
       for (const Local_curve_sample& sample : m_samples)
-      {
-        std::size_t nearest = 0;
-        double least = (std::numeric_limits<double>::infinity)();
-        for (std::size_t c = 0; c < curves.size(); ++c)
-        {
-          const double distance = curves[c].distance(sample.point);
-          if (distance < least)
-          {
-            least = distance;
-            nearest = c;
-          }
-        }
-        own[nearest].push_back(sample);
-      }
+        own[nearest_curve(curves, sample.point).index].push_back(sample);
       double change = 0.;
       for (std::size_t c = 0; c < curves.size(); ++c)
         if (own[c].size() > 1)
@@ -289,13 +262,25 @@ private:
     }
   }
 
-  static double distance_to(const std::vector<Local_curve>& curves, const Vector& p)
+  struct Nearest_curve
   {
-    double nearest = (std::numeric_limits<double>::infinity)();
-    for (const Local_curve& curve : curves)
-      nearest = (std::min)(nearest, curve.distance(p));
+    std::size_t index = 0;
+    double distance = (std::numeric_limits<double>::infinity)();
+  };
+
+  static Nearest_curve nearest_curve(const std::vector<Local_curve>& curves, const Vector& p)
+  {
+    Nearest_curve nearest;
+    for (std::size_t c = 0; c < curves.size(); ++c)
+    {
+      const double distance = curves[c].distance(p);
+      if (distance < nearest.distance)
+        nearest = {c, distance};
+    }
     return nearest;
   }
+
+  double cost_of_curve() const { return parameters_of_curve * std::log((std::max)(least_weight, m_total)); }
 
   // what the points, the curvatures and the curves cost together: BIC, with a mixture of normal errors and outliers
   double description_length(const std::vector<Local_curve>& curves) const
@@ -306,12 +291,12 @@ private:
       const double sigma = (std::max)(m_noise, sample.deviation);
       const double background =
         share_of_outliers / (1. - share_of_outliers) * sigma * std::sqrt(2. * CGAL_PI) / farthest;
-      const double e = (sample.distance - distance_to(curves, sample.point)) / sigma;
+      const double e = (sample.distance - nearest_curve(curves, sample.point).distance) / sigma;
       sum -= sample.weight * std::log((std::exp(-0.5 * e * e) + background) / (1. + background));
     }
     for (const Local_curve& curve : curves)
       sum += 0.5 * curve.bend.squaredNorm() / (bend_deviation * bend_deviation);
-    return sum + parameters_of_curve * double(curves.size()) * std::log((std::max)(least_weight, m_total));
+    return sum + double(curves.size()) * cost_of_curve();
   }
 
   // of the field close to the own foot, as far as it is not the other curves'

@@ -47,18 +47,16 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool contract(const Field_band& band, double ra
       Local_curve_fit fit(band);
       Local_fit_options options;
       options.radius = radius;
-      std::size_t current = 0;
       for (std::size_t k = begin; k < end; ++k)
       {
         const std::size_t i = order[k];
-        current = i;
         result.residuals[i] = fit.refine_with_best_radius(result.curves[i], options,
                                                           [&](Local_curve& curve, const Local_fit_options& scaled) {
                                                             curve = fit.principal_axis(band.points[i], scaled.radius);
                                                             fit.refine(curve, band.points[i], scaled);
                                                             orient(curve, band, fit.ball());
                                                             if (scaled.radius < share_of_small_balls * radius)
-                                                              small[current].push_back(curve);
+                                                              small[i].push_back(curve);
                                                           });
       }
     },

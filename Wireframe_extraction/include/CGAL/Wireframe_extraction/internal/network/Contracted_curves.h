@@ -32,8 +32,7 @@ class Contracted_curves
   const Contraction* m_contraction; // null where points were contracted to single curves, which lie between two
   std::vector<std::size_t> m_ball;
 
-  // Lengths in r. The points that say something: those of the front's ball of evidence have found its curve, those of
-  // twice that its neighbors.
+  // Lengths in r. The balls whose points say something of the front's own curve, and of its neighbors.
   static constexpr double own_radius = 2.5, others_radius = 3.;
   static constexpr double farthest_along = 2.;
   // parabolas that turn by more (29 degrees) are not believed

@@ -37,6 +37,13 @@ struct Network_curve
   bool is_alive = true;
 
   bool is_closed_without_node() const { return nodes[0] == no_node; }
+
+  // whether a place on the curve is farther than `distance_to_ends` from them
+  bool has_inside(const Vector& place, double distance_to_ends) const
+  {
+    return is_closed_without_node()
+      || ((place - points.front()).norm() > distance_to_ends && (place - points.back()).norm() > distance_to_ends);
+  }
 };
 
 // Curves that meet in nodes.

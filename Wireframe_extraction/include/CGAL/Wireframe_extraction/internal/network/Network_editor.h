@@ -107,11 +107,7 @@ protected:
 
   bool is_inside(const Segment_grid::Hit& hit) const
   {
-    const std::vector<Vector>& points = m_network.curves[hit.curve].points;
-    if (m_network.curves[hit.curve].is_closed_without_node())
-      return true;
-    return (hit.point - points.front()).norm() > least_distance_to_ends
-      && (hit.point - points.back()).norm() > least_distance_to_ends;
+    return m_network.curves[hit.curve].has_inside(hit.point, least_distance_to_ends);
   }
 
   // lets the curve end in the node: what went beyond it is cut off

@@ -63,12 +63,6 @@ inline std::vector<Curve_crossing> crossings(const Curve_network& network, doubl
 {
   // in r: two curves do not cross again within it
   static constexpr double least_distance = 2.;
-  const auto is_inside = [&](std::size_t c, const Vector& place) {
-    const Network_curve& curve = network.curves[c];
-    return curve.is_closed_without_node()
-      || ((place - curve.points.front()).norm() > distance_to_ends
-          && (place - curve.points.back()).norm() > distance_to_ends);
-  };
   Segment_grid grid;
   std::vector<Curve_crossing> found;
   for (std::size_t c = 0; c < network.curves.size(); ++c)
@@ -83,7 +77,8 @@ inline std::vector<Curve_crossing> crossings(const Curve_network& network, doubl
         const std::vector<Vector>& others = network.curves[hit.curve].points;
         const Curve_crossing crossing = crossing_of_segments({others[hit.segment], others[hit.segment + 1]},
                                                              {points[k - 1], points[k]}, {hit.curve, c});
-        if (crossing.distance < tolerance && is_inside(c, crossing.place) && is_inside(hit.curve, crossing.place))
+        if (crossing.distance < tolerance && network.curves[c].has_inside(crossing.place, distance_to_ends)
+            && network.curves[hit.curve].has_inside(crossing.place, distance_to_ends))
           found.push_back(crossing);
       });
     }
