@@ -51,7 +51,7 @@ namespace WP = CGAL::Wireframe_extraction::parameters;
 
 using Sample_solids::Sampling;
 
-const double r = 0.03;
+const double r = 0.05;
 
 struct Raw_shape
 {

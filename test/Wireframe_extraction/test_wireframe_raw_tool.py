@@ -19,8 +19,8 @@ class Raw_cloud_test(Program_test):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.make_cloud("box.ply", "box", "--r", 0.05)
-        cls.make_cloud("raw.ply", "box", "--r", 0.05, "--without-distances")
+        cls.make_cloud("box.ply", "box", "--r", 0.09)
+        cls.make_cloud("raw.ply", "box", "--r", 0.09, "--without-distances")
         data = (cls.shared / "raw.ply").read_bytes()
         end = data.index(b"end_header\n") + len(b"end_header\n")
         cls.points = list(struct.iter_unpack("<3f", data[end:]))

@@ -510,13 +510,17 @@ class Tool_test(Program_test):
             if name in ("--keep-failed", "--use-boundaries"):
                 continue   # of batches, and of meshes
             helpers = HELPERS.get(name, [])
-            for words in ([name], [name, "true"], [name, "false"], [name + "=true"], [name + "=false"]):
-                # the only thing that is wrong is the cloud
-                self.refuse(BAD_INPUT, ["c.xyz", "coincide"], *words, "c.xyz", "-o", "out.json", *helpers)
-                self.refuse(BAD_INPUT, ["c.xyz", "coincide"], "c.xyz", "-o", "out.json", *helpers, *words)
-            for value in ("maybe", "True", "1", ""):
-                self.refuse(USAGE_ERROR, [name, "true|false"] if value else [name], "c.xyz", "-o", "out.json",
-                            f"{name}={value}", *helpers)
+            # the only thing that is wrong is the cloud
+            self.refuse(BAD_INPUT, ["c.xyz", "coincide"], name, "c.xyz", "-o", "out.json", *helpers)
+            self.refuse(BAD_INPUT, ["c.xyz", "coincide"], "c.xyz", "-o", "out.json", *helpers, name, "false")
+            self.refuse(USAGE_ERROR, [name, "true|false"], "c.xyz", "-o", "out.json", f"{name}=maybe", *helpers)
+        # what is read by the same code for all of them is looked at once
+        for words in (["--paper"], ["--paper", "true"], ["--paper", "false"], ["--paper=true"], ["--paper=false"]):
+            self.refuse(BAD_INPUT, ["c.xyz", "coincide"], *words, "c.xyz", "-o", "out.json")
+            self.refuse(BAD_INPUT, ["c.xyz", "coincide"], "c.xyz", "-o", "out.json", *words)
+        for value in ("maybe", "True", "1", ""):
+            self.refuse(USAGE_ERROR, ["--paper", "true|false"] if value else ["--paper"], "c.xyz", "-o", "out.json",
+                        f"--paper={value}")
         self.refuse(USAGE_ERROR, ["--quiet"], "c.xyz", "-o", "out.json", "--quiet", "--quiet")
         for words in (["true", "c.xyz"], ["c.xyz", "True"], ["--smooth-angle", "20", "false", "c.xyz"]):
             self.refuse(USAGE_ERROR, ["is no cloud", "--quiet true"], *words, "-o", "out.json")
