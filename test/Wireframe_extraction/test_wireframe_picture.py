@@ -4,6 +4,7 @@
 usage: test_wireframe_picture.py EXTRACT_WIREFRAME MAKE_CLOUD [options of unittest]
 """
 
+import itertools
 import json
 import math
 import os
@@ -30,18 +31,21 @@ def unfiltered(data, width, height, channels):
     for y in range(height):
         kind = data[y * (size + 1)]
         row = bytearray(data[y * (size + 1) + 1:(y + 1) * (size + 1)])
-        for x in range(size):
-            left = row[x - channels] if x >= channels else 0
-            corner = above[x - channels] if x >= channels else 0
-            if kind == 1:
-                row[x] = (row[x] + left) & 255
-            elif kind == 2:
-                row[x] = (row[x] + above[x]) & 255
-            elif kind == 3:
-                row[x] = (row[x] + (left + above[x]) // 2) & 255
-            elif kind == 4:
-                near = min((left, above[x], corner), key=lambda value: abs(left + above[x] - corner - value))
-                row[x] = (row[x] + near) & 255
+        if kind == 1:
+            for channel in range(channels):
+                row[channel::channels] = bytes(total & 255 for total in itertools.accumulate(row[channel::channels]))
+        elif kind == 2:
+            row = bytearray((value + up) & 255 for value, up in zip(row, above))
+        elif kind in (3, 4):
+            for x in range(size):
+                left, corner = (row[x - channels], above[x - channels]) if x >= channels else (0, 0)
+                if kind == 3:
+                    row[x] = (row[x] + (left + above[x]) // 2) & 255
+                else:
+                    up = above[x]
+                    to_left, to_up, to_corner = abs(up - corner), abs(left - corner), abs(left + up - 2 * corner)
+                    near = left if to_left <= to_up and to_left <= to_corner else up if to_up <= to_corner else corner
+                    row[x] = (row[x] + near) & 255
         rows.append(row)
         above = row
     return rows
