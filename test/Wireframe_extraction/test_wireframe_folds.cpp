@@ -13,6 +13,8 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -73,6 +75,23 @@ public:
   }
 };
 
+Points tube(Sampler& sampler, double radius, double noise)
+{
+  static constexpr double large_radius = 25.;
+  Points points;
+  const double area = 4. * CGAL_PI * CGAL_PI * large_radius * radius;
+  while (points.size() < std::size_t(density * area))
+  {
+    const double around = sampler.uniform(0., 2. * CGAL_PI), along = sampler.uniform(0., 2. * CGAL_PI);
+    // the inner side has less area
+    if (sampler.uniform(0., large_radius + radius) > large_radius + radius * std::cos(around))
+      continue;
+    const double r = radius + noise * sampler.gaussian(), distance = large_radius + r * std::cos(around);
+    points.push_back(Vector(distance * std::cos(along), distance * std::sin(along), r * std::sin(around)));
+  }
+  return points;
+}
+
 Points ball(const Points& points, const Vector& center, double radius)
 {
   Points result;
@@ -115,7 +134,7 @@ void test_fold_of_a_height_function()
     }
     assert(median_of(errors) < 0.05);
     assert(std::abs(median_of(angles) - angle) < 0.1 * angle);
-    assert(median_of(margins) > scales.strong_margins[1]);
+    assert(median_of(margins) > scales.large.strong_margin);
   }
 }
 
@@ -184,6 +203,24 @@ void test_sheets_next_to_a_fold()
       assert(std::abs(normal.dot(normals[p.x() > 0.])) > 0.99);
   }
   assert(looked_at > 10 && known > 0.9 * double(looked_at));
+}
+
+// the axes in the plane of a sheet are arbitrary
+void test_sheets_turn_with_their_points()
+{
+  const auto saddle = [](double turn) {
+    Points points;
+    const Eigen::AngleAxisd rotation(turn, Vector::UnitZ());
+    for (double x = -2.; x <= 2.; x += 0.5)
+      for (double y = -2.; y <= 2.; y += 0.5)
+        points.push_back(rotation * Vector(x, y, 0.05 * x * y));
+    const Plane_of_points plane{Vector::Zero(), Vector::UnitZ()};
+    const Sheet sheet = Sheet_fit(0.3).fit(Vector::Zero(), points, {plane});
+    assert(sheet.is_known);
+    return sheet.offset(rotation * Vector(1.5, 1.5, 0.));
+  };
+  for (double turn : {0.3, 0.8})
+    assert(std::abs(saddle(turn) - saddle(0.)) < 1e-6);
 }
 
 Sheet plane(const Vector& through, const Vector& normal)
@@ -259,6 +296,41 @@ void test_votes()
   assert(Fold_votes({}, scales).feet().empty());
 }
 
+// most folds do not end where their votes do, so that points beyond do not know how far they are
+void test_ends_of_folds()
+{
+  std::vector<Fold_vote> votes;
+  for (int n = 0; n <= 100; ++n)
+    votes.push_back({Vector(-0.1 * n, 0., 0.), true});
+  const Fold_votes agreed(votes, Fold_scales(0.));
+  std::vector<std::size_t> found;
+  const double all = Field_estimate::truncation;
+  assert(std::abs(agreed.known_distance(Vector(-5., 1., 0.), all, found) - 1.) < 0.05);
+  assert(std::abs(agreed.known_distance(Vector(-0.5, 1., 0.), all, found) - 1.) < 0.05);
+  assert(std::isinf(agreed.known_distance(Vector(2., 0.5, 0.), all, found)));
+  assert(agreed.known_distance(Vector(-5., 3., 0.), 2., found) == 2.);
+}
+
+// noise hides weak folds in small balls
+void test_weak_folds_with_noise()
+{
+  for (unsigned int seed = 20; seed < 23; ++seed)
+  {
+    Sampler sampler(seed);
+    const Points points = sampler.folded_plane(40. * CGAL_PI / 180., 12., 15., 0.2);
+    Field_estimate estimate;
+    assert(estimate_field(points, 20., go_on, estimate));
+    std::size_t near = 0, seen = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (std::abs(points[i].y()) < 11. && std::hypot(points[i].x(), points[i].z()) < 1.2)
+      {
+        ++near;
+        seen += estimate.distances[i] < 2.;
+      }
+    assert(double(seen) > 0.85 * double(near));
+  }
+}
+
 void test_distances_from_a_fold()
 {
   Sampler sampler(6);
@@ -296,13 +368,14 @@ void test_smooth_surfaces_have_no_features()
     for (unsigned int seed = 10; seed < 13; ++seed)
     {
       Sampler sampler(seed);
-      for (const Points& points : {sampler.sphere(12., noise), sampler.folded_plane(0., 15., 15., noise)})
+      for (const Points& points : {sampler.sphere(12., noise), sampler.folded_plane(0., 15., 15., noise),
+                                   tube(sampler, 3., noise), tube(sampler, 4., noise)})
       {
         Field_estimate estimate;
         assert(estimate_field(points, 20., go_on, estimate));
         const auto near = std::count_if(estimate.distances.begin(), estimate.distances.end(),
                                         [](double d) { return d < Field_estimate::truncation; });
-        assert(double(near) <= 0.02 * double(points.size()));
+        assert(double(near) <= 0.03 * double(points.size())); // a few points in a row by chance
       }
     }
 }
@@ -335,8 +408,11 @@ int main()
   test_no_fold_on_a_smooth_surface();
   test_noise_of_points();
   test_sheets_next_to_a_fold();
+  test_sheets_turn_with_their_points();
   test_pairs_of_sheets();
   test_votes();
+  test_ends_of_folds();
+  test_weak_folds_with_noise();
   test_distances_from_a_fold();
   test_smooth_surfaces_have_no_features();
   test_degenerate_clouds_and_cancelling();

@@ -87,24 +87,32 @@ private:
         for (std::size_t n = begin; n < end; ++n)
         {
           const std::size_t i = m_order[n];
-          for (int k = Fold_scales::number_of_radii - 1; k >= 0 && !m_is_smooth[i]; --k)
-            vote_by_heights(i, k, fit, ball);
+          m_is_smooth[i] =
+            vote_by_heights(i, m_scales.large, fit, ball) || vote_by_heights(i, m_scales.small, fit, ball);
+          if (m_scales.are_wide_balls_asked && !m_is_smooth[i] && !is_sure(m_votes[i]))
+            vote_by_heights(i, m_scales.wide, fit, ball);
         }
       },
       proceed);
   }
 
-  void vote_by_heights(std::size_t i, int scale, Fold_fit& fit, Fold_ball& ball)
+  static bool is_sure(const std::vector<Fold_vote>& votes)
   {
-    const double radius = m_scales.radii[scale], variance = m_scales.deviation * m_scales.deviation;
+    return std::any_of(votes.begin(), votes.end(), [](const Fold_vote& vote) { return vote.is_strong; });
+  }
+
+  // returns whether one sheet explains the ball
+  bool vote_by_heights(std::size_t i, const Fold_scales::Balls& balls, Fold_fit& fit, Fold_ball& ball)
+  {
+    const double radius = balls.radius, variance = m_scales.deviation * m_scales.deviation;
     ball.collect(m_points, m_search, m_points[i], radius);
     const Fold_fit_result result = fit.fit(ball.offsets, radius, variance, least_variance_ratio * variance);
-    m_is_smooth[i] = result.is_smooth;
-    const double least_evidence = m_scales.least_evidence[scale];
-    if (result.number_of_folds == 0 || !(result.folds[0].evidence > least_evidence))
-      return;
+    const double least_evidence = balls.least_evidence;
+    if (result.number_of_folds == 0 || !(result.folds[0].evidence > least_evidence)
+        || result.folded_residual > balls.most_residual * m_scales.deviation)
+      return result.is_smooth;
     const bool is_strong =
-      result.folds[0].margin > m_scales.strong_margins[scale] && result.folds[0].evidence > m_scales.strong_evidence;
+      result.folds[0].margin > balls.strong_margin && result.folds[0].evidence > m_scales.strong_evidence;
     const double farthest = (std::min)(farthest_foot, farthest_share * radius);
     for (int k = 0; k < result.number_of_folds; ++k)
     {
@@ -112,6 +120,7 @@ private:
       if (fold.evidence > least_evidence && fold.angle > m_minimum_fold && fold.foot.norm() < farthest)
         m_votes[i].push_back({m_points[i] + fold.foot, is_strong});
     }
+    return result.is_smooth;
   }
 
   template <class Proceed>

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Wireframe_extraction {
@@ -30,14 +31,24 @@ struct Fold_scales
   static constexpr double typical_noise = 0.25;
   // Up to that share of it frames are turned: with more noise this shows more folds that are none than others.
   static constexpr double most_share_to_turn_frames = 0.4;
-  static constexpr int number_of_radii = 2;
+  // From that share on, weak folds are hidden in these balls, and wider ones are asked as well.
+  static constexpr double least_share_for_wide_balls = 0.2;
+  static constexpr double wide_radius = 5.5;
 
-  double deviation;                             // standard deviation of the points
-  bool are_frames_turned;                       // whether folds are fitted in frames of their own
-  double radii[number_of_radii];                // of the balls, from the smallest on
-  double least_evidence[number_of_radii];       // of a fold
-  double strong_margins[number_of_radii];       // a fold is sure whose margin is larger
-  static constexpr double strong_evidence = 6.; // and whose evidence is
+  // The balls of one size in which folds are looked for.
+  struct Balls
+  {
+    double radius;
+    double least_evidence; // of a fold
+    double strong_margin;  // a fold is sure whose margin is larger
+    double most_residual;  // beside the fold, in standard deviations of the points: else there is more than a fold
+  };
+
+  double deviation;       // standard deviation of the points
+  bool are_frames_turned; // whether folds are fitted in frames of their own
+  bool are_wide_balls_asked;
+  Balls small, large, wide;                     // small and large ones always
+  static constexpr double strong_evidence = 6.; // a sure fold has more
   double vote_radius;                           // a vote needs so many others within it
   std::size_t least_votes;
   double sheet_radius;                     // of the balls in which sheets are fitted
@@ -49,11 +60,11 @@ struct Fold_scales
     const double share = noise / typical_noise, part = (std::min)(1., share);
     deviation = std::sqrt(noise * noise + least_deviation * least_deviation);
     are_frames_turned = share <= most_share_to_turn_frames;
-    radii[0] = 3. + share;
-    radii[1] = 4. + share;
-    least_evidence[0] = least_evidence[1] = 6. - 3. * part;
-    strong_margins[0] = 10. - 7. * part;
-    strong_margins[1] = 15. - 11. * part;
+    are_wide_balls_asked = share > least_share_for_wide_balls;
+    constexpr double any = (std::numeric_limits<double>::infinity)();
+    small = {3. + share, 6. - 3. * part, 10. - 7. * part, any};
+    large = {4. + share, 6. - 3. * part, 15. - 11. * part, any};
+    wide = {wide_radius + share, 3., 6., 1.6};
     vote_radius = 0.5 + 0.2 * part;
     least_votes = part < 0.5 ? 3 : 4;
     sheet_radius = 3. + share;

@@ -19,7 +19,9 @@
 #include <CGAL/Wireframe_extraction/internal/estimate/Fold_scales.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -43,8 +45,14 @@ class Fold_votes
   static constexpr double smoothing_radius = 1.;
   static constexpr int smoothing_rounds = 2;
 
+  // where folds end: the feet within that around one lie to one side of it, so far at least in the mean
+  static constexpr double end_radius = 1., least_offset_at_ends = 0.25;
+  // beyond an end, distances to it may be too large by as much
+  static constexpr double most_excess = 0.2;
+
   std::vector<Vector> m_feet;
-  Ball_search m_search; // among them
+  std::vector<Vector> m_ways_on; // from the feet at which folds end, to where they would go on; 0 for the others
+  Ball_search m_search;          // among the feet
 
 public:
   Fold_votes(const std::vector<Fold_vote>& votes, const Fold_scales& scales)
@@ -54,6 +62,7 @@ public:
     for (int round = 0; round < smoothing_rounds; ++round)
       smooth();
     m_search = Ball_search(m_feet);
+    find_ends();
   }
 
   const std::vector<Vector>& feet() const { return m_feet; }
@@ -66,6 +75,25 @@ public:
     for (std::size_t j : found)
       nearest = (std::min)(nearest, (m_feet[j] - place).norm());
     return nearest;
+  }
+
+  // The same, but infinite beyond the end of a fold: most folds do not end there, but go on to a corner where too many
+  // meet to be seen, so that the distance is not known.
+  double known_distance(const Vector& place, double most, std::vector<std::size_t>& found) const
+  {
+    m_search.query(place, most, found);
+    double nearest = most, ahead = 0.;
+    for (std::size_t j : found)
+    {
+      const Vector offset = place - m_feet[j];
+      const double distance = offset.norm();
+      if (!(distance < nearest))
+        continue;
+      nearest = distance;
+      ahead = (std::max)(0., offset.dot(m_ways_on[j]));
+    }
+    const double aside = std::sqrt((std::max)(0., nearest * nearest - ahead * ahead));
+    return nearest - aside > most_excess ? (std::numeric_limits<double>::infinity)() : nearest;
   }
 
   // How far three of four votes lie from where all agreed that the folds are, at most, up to `smoothing_radius`. It is
@@ -124,6 +152,23 @@ private:
   void keep_confirmed(const Fold_scales& scales)
   {
     m_feet = kept(m_feet, m_feet, scales.vote_radius, [&](std::size_t n) { return n > scales.least_votes; });
+  }
+
+  void find_ends()
+  {
+    m_ways_on.assign(m_feet.size(), Vector::Zero());
+    for_each_piece(m_feet.size(), [&](std::size_t begin, std::size_t end) {
+      std::vector<std::size_t> found;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        m_search.query(m_feet[i], end_radius, found);
+        Vector mean = Vector::Zero();
+        for (std::size_t j : found)
+          mean += (m_feet[j] - m_feet[i]) / double(found.size());
+        if (mean.norm() > least_offset_at_ends)
+          m_ways_on[i] = -mean.normalized();
+      }
+    });
   }
 
   void smooth()

@@ -123,10 +123,11 @@ private:
     static constexpr double least_total = 3.; // a plane needs as many
     if (total < least_total)
       return false;
-    // the second derivative along an axis is twice the coefficient
-    const double ridge = 4. * m_deviation * m_deviation / (curvature_deviation * curvature_deviation);
+    // The squares of all second derivatives, 2 a, b, b, 2 c for a x^2 + b xy + c y^2: their sum is the same for any axes.
+    static constexpr double squares_in_sum[size] = {0., 0., 0., 4., 2., 4.};
+    const double ridge = m_deviation * m_deviation / (curvature_deviation * curvature_deviation);
     for (int i = 0; i < size; ++i)
-      matrix[i * size + i] += relative_ridge + (i >= 3 ? ridge : 0.);
+      matrix[i * size + i] += relative_ridge + squares_in_sum[i] * ridge;
     Symmetric_factorization(matrix, size).solve(column);
     std::copy(column, column + size, sheet.coefficients.begin());
     return true;

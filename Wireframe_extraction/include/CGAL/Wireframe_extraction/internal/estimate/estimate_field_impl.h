@@ -34,13 +34,13 @@ namespace internal {
 inline double truncated_distance(const Vector& point, const Fold_votes& votes, std::vector<std::size_t>& found)
 {
   // most points are near a fold, or far from all: then a small ball, or none, tells
-  for (double radius : {1., 2.})
+  for (double radius : {1., 2., Field_estimate::truncation})
   {
-    const double distance = votes.distance(point, radius, found);
-    if (distance < radius)
-      return distance;
+    const double distance = votes.known_distance(point, radius, found);
+    if (distance != radius)
+      return (std::min)(distance, Field_estimate::truncation);
   }
-  return votes.distance(point, Field_estimate::truncation, found);
+  return Field_estimate::truncation;
 }
 
 CGAL_WIREFRAME_EXTRACTION_INLINE bool estimate_field(const std::vector<Vector>& points, double minimum_fold,
