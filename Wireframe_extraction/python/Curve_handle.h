@@ -18,6 +18,7 @@ public:
     : m_wireframe(std::move(wireframe)), m_index(index)
   {}
 
+  const Wireframe& wireframe() const { return *m_wireframe; }
   const Wireframe::Curve& curve() const { return m_wireframe->curves[m_index]; }
   const Wireframe::Curve::Spline& spline() const { return curve().spline; }
 

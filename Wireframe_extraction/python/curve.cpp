@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -114,6 +115,31 @@ py::dict uncertainty(const Curve_handle& handle)
   return result;
 }
 
+py::tuple doubts(const Curve_handle& handle)
+{
+  py::list names;
+  for (const CGAL::Wireframe_doubt doubt : handle.curve().doubts)
+    names.append(to_string(doubt));
+  return py::tuple(names);
+}
+
+// A wireframe with this curve alone, and with its vertices, by which the curve can be handed on.
+std::shared_ptr<Wireframe> alone(const Curve_handle& handle)
+{
+  const Wireframe& wireframe = handle.wireframe();
+  auto result = std::make_shared<Wireframe>();
+  result->sampling_distance = wireframe.sampling_distance;
+  Wireframe::Curve curve = handle.curve();
+  if (curve.source != Wireframe::Curve::no_vertex)
+  {
+    result->vertices = {wireframe.vertices[curve.source], wireframe.vertices[curve.target]};
+    curve.target = curve.source == curve.target ? 0 : 1;
+    curve.source = 0;
+  }
+  result->curves.push_back(std::move(curve));
+  return result;
+}
+
 std::optional<std::size_t> vertex_of(std::size_t index)
 {
   return index == Wireframe::Curve::no_vertex ? std::nullopt : std::optional<std::size_t>(index);
@@ -138,6 +164,7 @@ void bind_values(py::class_<Curve_handle>& curve)
     .def_property_readonly("rms", [](C c) { return c.curve().rms; })
     .def_property_readonly("max", [](C c) { return c.curve().max; })
     .def_property_readonly("support", [](C c) { return c.curve().support; })
+    .def_property_readonly("doubts", &doubts)
     .def_property_readonly("degree", [](C c) { return c.spline().degree(); })
     .def_property_readonly("range", [](C c) { return c.spline().parameter_range(); })
     .def_property_readonly("uncertainty", &uncertainty);
@@ -184,7 +211,8 @@ void bind_functions(py::class_<Curve_handle>& curve)
          [](C c, const Double_array& t) { return rows_at(t, [&](double u) { return c.spline().tangent(u); }); })
     .def("curvatures", &curvature_at)
     .def("sample", &sample)
-    .def("closest", &closest);
+    .def("closest", &closest)
+    .def("alone", &alone);
 }
 
 } // namespace

@@ -37,6 +37,7 @@ inline pybind11::dict report_dict(const Report& report)
   result["number_of_free_ends"] = report.number_of_free_ends;
   result["number_of_clusters"] = report.number_of_clusters;
   result["number_of_curves"] = report.number_of_curves;
+  result["number_of_doubtful_curves"] = report.number_of_doubtful_curves;
   result["regularities"] = report.regularities;
   result["is_field_estimated"] = report.is_field_estimated;
   result["number_of_near_points"] = report.number_of_near_points;

@@ -16,6 +16,7 @@
 #include <CGAL/Wireframe_extraction/contract_skeleton.h>
 #include <CGAL/Wireframe_extraction/detect_corners.h>
 #include <CGAL/Wireframe_extraction/estimate_distance_field.h>
+#include <CGAL/Wireframe_extraction/find_doubts.h>
 #include <CGAL/Wireframe_extraction/fit_curves.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/input_checks.h>
@@ -127,6 +128,7 @@ public:
     return run(progress, [this](const auto& np) {
       m_typed = std::make_shared<Wireframe>(
         m_parameters.recognize_types ? wireframe::recognize_curve_types(m_skeleton, *m_curves, np) : *m_curves);
+      wireframe::find_doubts(m_skeleton, *m_typed, np);
     });
   }
 

@@ -111,6 +111,32 @@ inline std::string times_text(const std::vector<std::pair<std::string, double>>&
 // the rows of a table: a name and a text each
 typedef std::vector<std::pair<std::string, std::string>> Summary;
 
+// how many curves are doubtful, and for each reason which ones; as many as a line has room for
+template <class GeomTraits>
+void add_doubts(const CGAL::Wireframe<GeomTraits>& wireframe, Summary& rows)
+{
+  static constexpr std::size_t most_in_line = 15;
+  std::map<CGAL::Wireframe_doubt, std::vector<std::size_t>> curves;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < wireframe.curves.size(); ++i)
+  {
+    count += wireframe.curves[i].is_doubtful() ? 1 : 0;
+    for (const CGAL::Wireframe_doubt doubt : wireframe.curves[i].doubts)
+      curves[doubt].push_back(i);
+  }
+  rows.emplace_back("Doubtful", std::to_string(count) + " of " + counted(wireframe.curves.size(), "curve", "curves"));
+  for (const auto& reason : curves)
+  {
+    const std::vector<std::size_t>& indices = reason.second;
+    std::string text = to_string(reason.first) + (indices.size() == 1 ? ": curve " : ": curves ");
+    for (std::size_t k = 0; k < indices.size() && k < most_in_line; ++k)
+      text += (k == 0 ? "" : ", ") + std::to_string(indices[k]);
+    if (indices.size() > most_in_line)
+      text += " and " + std::to_string(indices.size() - most_in_line) + " more";
+    rows.emplace_back("Doubtful", text);
+  }
+}
+
 template <class GeomTraits>
 Summary summary_of(const Field_scale& scale, const CGAL::Wireframe<GeomTraits>& wireframe,
                    const CGAL::Wireframe_extraction_report& report, std::size_t number_of_skipped)
@@ -131,6 +157,7 @@ Summary summary_of(const Field_scale& scale, const CGAL::Wireframe<GeomTraits>& 
     std::to_string(report.number_of_corners)
       + (report.number_of_free_ends == 0 ? "" : ", and " + std::to_string(report.number_of_free_ends) + " free ends"));
   rows.emplace_back("Curves", curves_text(wireframe));
+  add_doubts(wireframe, rows);
   for (const std::string& regularity : report.regularities)
     rows.emplace_back("Regular", regularity); // curves are counted from 0, as in the files
   rows.emplace_back("Residuals", "rms " + length_text(report.rms, r) + ", largest " + length_text(report.max, r));

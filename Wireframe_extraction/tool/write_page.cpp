@@ -211,8 +211,11 @@ Json json_of_curve(std::size_t index, const CGAL::Wireframe_curve<Kernel>& curve
                {"rms", curve.rms},
                {"max", curve.max},
                {"support", curve.support},
+               {"doubts", Json::array()},
                {"first", first},
                {"count", count}};
+  for (const CGAL::Wireframe_doubt doubt : curve.doubts)
+    json["doubts"].push_back(to_string(doubt));
   if (curve.conic)
     json["radii"] = {curve.conic->major_radius, curve.conic->minor_radius};
   return json;

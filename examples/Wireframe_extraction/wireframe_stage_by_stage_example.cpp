@@ -7,6 +7,7 @@
 #include <CGAL/Wireframe_extraction/contract_skeleton.h>
 #include <CGAL/Wireframe_extraction/detect_corners.h>
 #include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
+#include <CGAL/Wireframe_extraction/find_doubts.h>
 #include <CGAL/Wireframe_extraction/fit_curves.h>
 #include <CGAL/Wireframe_extraction/recognize_curve_types.h>
 #include <CGAL/Wireframe_extraction/refine_field.h>
@@ -64,7 +65,13 @@ int main(int argc, char** argv)
             << std::endl;
 
   // 7. Lines, circles and ellipses in place of the splines that are none; some splines are cut.
-  const auto typed = stages::recognize_curve_types(skeleton, wireframe);
+  auto typed = stages::recognize_curve_types(skeleton, wireframe);
   std::cout << "types: " << typed.vertices.size() << " vertices, " << typed.curves.size() << " curves" << std::endl;
+
+  // 8. What speaks against each curve.
+  stages::find_doubts(skeleton, typed);
+  for (std::size_t i = 0; i < typed.curves.size(); ++i)
+    for (const CGAL::Wireframe_doubt doubt : typed.curves[i].doubts)
+      std::cout << "curve " << i << " is doubtful: " << to_string(doubt) << std::endl;
   return wireframe.is_empty() ? EXIT_FAILURE : EXIT_SUCCESS;
 }

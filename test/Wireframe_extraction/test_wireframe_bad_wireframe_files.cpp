@@ -135,6 +135,9 @@ void test_json_curves()
   refuse_json(json("\"rms\":0.3", "\"rms\":null"), {"curve 1", "rms", "null"});
   refuse_json(json("\"max\":0.4", "\"max\":-0.4"), {"curve 1", "residual"});
   refuse_json(json("\"support\":30", "\"support\":-1"), {"curve 1", "support", "-1"});
+  refuse_json(json("\"support\":30", "\"doubts\":\"short\""), {"curve 1", "doubts", "array"});
+  refuse_json(json("\"support\":30", "\"doubts\":[\"short\",\"long\"]"), {"curve 1", "doubts", "long"});
+  refuse_json(json("\"support\":30", "\"doubts\":[1]"), {"curve 1", "doubts", "1"});
 
   Wireframe wireframe;
   std::string error;

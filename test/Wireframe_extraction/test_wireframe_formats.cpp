@@ -90,6 +90,8 @@ private:
     curve.rms = number(0, 0.1);
     curve.max = number(0.1, 0.2);
     curve.support = static_cast<std::size_t>(number(1, 1000));
+    if (curve.support % 2 == 0)
+      curve.doubts = {CGAL::Wireframe_doubt::SHORT, CGAL::Wireframe_doubt::NO_FOLD};
     if (curve.type == Type::BSPLINE)
       return;
     curve.uncertainty.position = number(0, 0.1);
@@ -534,6 +536,8 @@ void test_csv()
       row[names[j]] = values[j];
     assert(row["index"] == std::to_string(i));
     assert(row["closed"] == (curve.is_closed() ? "true" : "false"));
+    assert(row["doubtful"] == (curve.is_doubtful() ? "true" : "false"));
+    assert(row["doubts\r"] == (curve.is_doubtful() ? "short no_fold\r" : "\r")); // it ends the line
     assert(row["source"].empty() == (curve.source == Curve::no_vertex));
     assert(std::stod(row["length"]) == curve.spline.length() && std::stod(row["max"]) == curve.max);
     assert(row["center_y"].empty() == (curve.type == Type::BSPLINE));

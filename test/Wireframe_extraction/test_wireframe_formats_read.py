@@ -419,6 +419,8 @@ class Formats_test(Program_test):
                     self.assertEqual(row[key], "" if curve[key] is None else str(curve[key]))
                 for key in ("rms", "max", "support"):
                     self.assertEqual(float(row[key]), curve[key])
+                self.assertEqual((row["doubts"].split(), row["doubtful"]),
+                                 (curve["doubts"], "true" if curve["doubts"] else "false"))
                 values = {"center": curve.get("center"), "axis": curve.get("axis"),
                           "major_direction": curve.get("major_direction")}
                 if curve["type"] == "line":

@@ -7,6 +7,7 @@
 #include "scratch_files.h"
 #include "theta_wireframe.h"
 
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/curve_tools.h>
 #include <CGAL/Wireframe_extraction/IO/read_wireframe_json.h>
 #include <CGAL/Wireframe_extraction/IO/write_wireframe.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
@@ -117,6 +118,10 @@ private:
     result.rms = number(0, 1);
     result.max = number(0, 1e-300);
     result.support = i * 1000;
+    const auto& doubts = CGAL::IO::internal::all_doubts();
+    for (std::size_t k = 0; k < doubts.size(); ++k)
+      if (i % (k + 2) == 0)
+        result.doubts.insert(doubts[k]);
     return result;
   }
 
@@ -161,7 +166,7 @@ bool are_equal(const CGAL::Wireframe<Traits>& first, const CGAL::Wireframe<Trait
     const auto& a = first.curves[i];
     const auto& b = second.curves[i];
     is_equal = a.type == b.type && a.source == b.source && a.target == b.target && a.support == b.support
-      && a.rms == b.rms && a.max == b.max && bool(a.conic) == bool(b.conic)
+      && a.doubts == b.doubts && a.rms == b.rms && a.max == b.max && bool(a.conic) == bool(b.conic)
       && (!a.conic || conic_numbers(a) == conic_numbers(b)) && a.is_closed() == b.is_closed()
       && a.spline.degree() == b.spline.degree() && a.spline.knots() == b.spline.knots()
       && a.spline.weights() == b.spline.weights()

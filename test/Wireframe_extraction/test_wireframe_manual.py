@@ -28,6 +28,7 @@ PARAMETER_LIST = HEADERS / "Wireframe_extraction/internal/options/parameters_int
 STAGES = {"select_skeleton.h": ("field/select_skeleton_impl.h",), "contract_skeleton.h": ("field/contract_impl.h",),
           "refine_field.h": ("field/refine_impl.h",), "detect_corners.h": ("network/corner_groups_impl.h",),
           "segment_curves.h": ("network/clusters_impl.h",), "recognize_curve_types.h": ("types/recognize_pieces_impl.h",),
+          "find_doubts.h": ("pipeline/find_doubts_impl.h",),
           "fit_curves.h": ("fit/fit_network_impl.h", "fit/Spline_network_fit.h"),
           "build_topological_graph.h": ("network/build_network_impl.h", "network/Subdivided_network.h",
                                         "network/Traced_network.h", "fit/Spline_network_fit.h")}

@@ -84,7 +84,7 @@ class Content_test(Page_test):
         for index, (mine, other) in enumerate(zip(data["curves"], wireframe["curves"])):
             types.add(other["type"])
             self.assertEqual(mine["index"], index)
-            for name in ("type", "closed", "source", "target", "rms", "max", "support"):
+            for name in ("type", "closed", "source", "target", "rms", "max", "support", "doubts"):
                 self.assertEqual(mine[name], other[name], name)
             self.assertEqual(mine.get("radii"), other.get("radii"))
             own = points[mine["first"]:mine["first"] + mine["count"]]

@@ -137,7 +137,11 @@ class Browser_test(Program_test):
         self.assertEqual([curve["index"] for curve in self.rows(browser)],
                          [curve["index"] for curve in every if curve["type"] != "arc"])
         self.press(browser, "type-arc")
-        for colour in ("residual", "index", "type"):
+        for verdict, is_doubtful in (("doubtful", True), ("clear", False), ("all", None)):
+            self.choose(browser, "filter-verdict", verdict)
+            self.assertEqual([curve["index"] for curve in self.rows(browser)],
+                             [curve["index"] for curve in every if is_doubtful in (None, bool(curve["doubts"]))])
+        for colour in ("residual", "index", "verdict", "type"):
             self.choose(browser, "curve-colour", colour)
 
     def check_table(self, browser):

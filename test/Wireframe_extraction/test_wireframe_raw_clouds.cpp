@@ -7,6 +7,7 @@
 #include <CGAL/Wireframe_extraction/build_topological_graph.h>
 #include <CGAL/Wireframe_extraction/contract_skeleton.h>
 #include <CGAL/Wireframe_extraction/detect_corners.h>
+#include <CGAL/Wireframe_extraction/find_doubts.h>
 #include <CGAL/Wireframe_extraction/fit_curves.h>
 #include <CGAL/Wireframe_extraction/recognize_curve_types.h>
 #include <CGAL/Wireframe_extraction/refine_field.h>
@@ -491,7 +492,11 @@ void test_stage_by_stage()
   const auto clusters = WE::segment_curves(skeleton, corners, np);
   const auto graph = WE::build_topological_graph(skeleton, corners, clusters, np);
   const Wireframe splines = WE::fit_curves(skeleton, graph, np);
-  assert(are_same(WE::recognize_curve_types(skeleton, splines, np), wireframe));
+  Wireframe typed = WE::recognize_curve_types(skeleton, splines, np);
+  assert(are_same(typed, wireframe));
+  assert(WE::find_doubts(skeleton, typed, np));
+  for (std::size_t i = 0; i < typed.curves.size(); ++i)
+    assert(typed.curves[i].doubts == wireframe.curves[i].doubts);
   assert(are_same(CGAL::extract_wireframe(cloud, np), wireframe));
 
   // which models the concept, so that it may stand for any visitor

@@ -142,7 +142,7 @@ class Tool_test(Program_test):
         self.assertEqual(len(wireframe["vertices"]), 8)
         self.assertAlmostEqual(wireframe["sampling_distance"] / 0.03116, 1, delta=0.1)
         for row in (r"Points +5000\n", r"r +0\.0\d+ \(estimated\)\n", r"Noise +\S+ = \S+ r\n",
-                    r"Skeleton +\d+ points\n", r"Corners +8\n", r"Curves +12 .*12 open.*0 closed",
+                    r"Skeleton +\d+ points\n", r"Corners +8\n", r"Curves +12 .*12 open.*0 closed", r"Doubtful +0 of 12 curves\n",
                     r"Residuals +rms \S+ = \S+ r, largest \S+ = \S+ r\n", r"Seconds +\d.*reading.*writing",
                     r"Written +out\.json\n"):
             self.assertRegex(said, row)

@@ -28,6 +28,7 @@
 #include <CGAL/Wireframe_extraction/detect_corners.h>
 #include <CGAL/Wireframe_extraction/estimate_distance_field.h>
 #include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
+#include <CGAL/Wireframe_extraction/find_doubts.h>
 #include <CGAL/Wireframe_extraction/fit_curves.h>
 #include <CGAL/Wireframe_extraction/fuse_distance_patches.h>
 #include <CGAL/Wireframe_extraction/parameters.h>

@@ -31,8 +31,8 @@ its distance to the nearest sharp feature curve; where there are no distances, t
 
 The function chains `estimate_sampling_distance()`, `estimate_distance_field()` if there are no distances,
 `select_skeleton()`, `contract_skeleton()`, `refine_field()`,
-`detect_corners()`, `segment_curves()`, `build_topological_graph()`, `fit_curves()` and `recognize_curve_types()`, which
-extend the method of \cgalCite{MAZB21}; every named parameter of these functions can be
+`detect_corners()`, `segment_curves()`, `build_topological_graph()`, `fit_curves()`, `recognize_curve_types()` and
+`find_doubts()`, which extend the method of \cgalCite{MAZB21}; every named parameter of these functions can be
 given. The result does not depend on the order of the points or the number of threads, and moves and scales with the
 cloud, up to rounding. What visitor, callback and property maps throw is passed on.
 

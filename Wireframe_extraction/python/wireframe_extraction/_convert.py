@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 _COLUMNS = ("index type closed source target length center_x center_y center_z axis_x axis_y axis_z major_direction_x "
             "major_direction_y major_direction_z major_radius minor_radius start_angle end_angle position_uncertainty "
-            "direction_uncertainty major_radius_uncertainty minor_radius_uncertainty rms max support").split()
+            "direction_uncertainty major_radius_uncertainty minor_radius_uncertainty rms max support doubtful doubts").split()
 
 
 def to_networkx(wireframe: Wireframe) -> Any:
@@ -27,7 +27,7 @@ def to_networkx(wireframe: Wireframe) -> Any:
     for curve in wireframe.curves:
         if curve.source is not None:
             graph.add_edge(curve.source, curve.target, key=curve.index, curve=curve, type=curve.type,
-                           length=curve.length)
+                           length=curve.length, doubtful=curve.doubtful)
     return graph
 
 
@@ -62,6 +62,8 @@ def _row(curve: Curve) -> dict[str, Any]:
         "rms": curve.rms,
         "max": curve.max,
         "support": curve.support,
+        "doubtful": curve.doubtful,
+        "doubts": " ".join(curve.doubts),
     }
 
 
@@ -89,4 +91,5 @@ def to_pyvista(wireframe: Wireframe, step: float | None) -> Any:
     radii = [math.nan if curve.radius is None else curve.radius for curve in wireframe.curves]
     data.cell_data["radius"] = np.array(radii)
     data.cell_data["rms"] = np.array([curve.rms for curve in wireframe.curves])
+    data.cell_data["doubtful"] = wireframe.doubtful
     return data

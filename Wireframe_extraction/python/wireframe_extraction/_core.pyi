@@ -24,6 +24,7 @@ class Curve:
     rms: float
     max: float
     support: int
+    doubts: tuple[str, ...]
     degree: int
     range: tuple[float, float]
     uncertainty: dict[str, float]
@@ -42,6 +43,7 @@ class Curve:
     def curvatures(self, parameters: _Doubles) -> _Doubles: ...
     def sample(self, step: float, count: int) -> _Doubles: ...
     def closest(self, points: npt.NDArray[Any]) -> tuple[_Doubles, _Doubles, _Doubles]: ...
+    def alone(self) -> Wireframe: ...
 
 class Wireframe:
     sampling_distance: float

@@ -38,16 +38,22 @@ class Curve:
     """One curve of a wireframe: its geometry, its vertices, and how well the cloud supports it.
 
     Whatever its type, a curve is a B-spline, which can be evaluated, differentiated and measured. Lengths are in the
-    unit of the cloud, angles in radians. Curves are not made: a `Wireframe` has them.
+    unit of the cloud, angles in radians. Curves are not made: a `Wireframe` has them. They can be pickled, also alone.
     """
 
-    def __init__(self, core: _core.Curve, index: int) -> None:
+    def __init__(self, core: _core.Curve, index: int, ends: tuple[int | None, int | None] | None = None) -> None:
         self._core = core
         self._index = index
+        self._ends = (core.source, core.target) if ends is None else ends
 
     def __repr__(self) -> str:
         radius = f", radius {self.radius:.6g}" if self.radius is not None else ""
-        return f"<Curve {self.index}: {self.type}, length {self.length:.6g}{radius}{', closed' if self.closed else ''}>"
+        closed = ", closed" if self.closed else ""
+        doubts = f", doubtful: {', '.join(self.doubts)}" if self.doubtful else ""
+        return f"<Curve {self.index}: {self.type}, length {self.length:.6g}{radius}{closed}{doubts}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (_core.to_json(self._core.alone()), self._index, self._ends)
 
     @property
     def index(self) -> int:
@@ -67,12 +73,12 @@ class Curve:
     @property
     def source(self) -> int | None:
         """Index of the vertex at which the curve starts; None on a closed curve that passes through none."""
-        return self._core.source
+        return self._ends[0]
 
     @property
     def target(self) -> int | None:
         """Index of the vertex at which the curve ends; None on a closed curve that passes through none."""
-        return self._core.target
+        return self._ends[1]
 
     @cached_property
     def length(self) -> float:
@@ -141,6 +147,20 @@ class Curve:
     def support(self) -> int:
         """Number of points of the cloud that support the curve."""
         return self._core.support
+
+    @property
+    def doubtful(self) -> bool:
+        """Whether there are `doubts`."""
+        return bool(self.doubts)
+
+    @cached_property
+    def doubts(self) -> tuple[str, ...]:
+        """Why the curve may be wrong; empty if nothing speaks against it.
+
+        "free_end", "short", "little_support", "misfit", "no_fold", "beside_another" and "uncertain_type"; the manual
+        has the threshold of each.
+        """
+        return self._core.doubts
 
     @property
     def degree(self) -> int:
@@ -278,6 +298,10 @@ class Curve:
     def _parameters(t: npt.ArrayLike) -> tuple[Array, tuple[int, ...]]:
         array = _arrays.finite_numbers(t, "t")
         return array.ravel(), array.shape
+
+
+def _restored(json: str, index: int, ends: tuple[int | None, int | None]) -> Curve:
+    return Curve(_core.from_json(json).curves()[0], index, ends)
 
 
 def checked_step(step: Any, length: float) -> float:

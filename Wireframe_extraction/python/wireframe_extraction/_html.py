@@ -34,6 +34,7 @@ def _summary(wireframe: Wireframe) -> list[tuple[str, str]]:
     types, counts = np.unique(wireframe.types, return_counts=True)
     rows = [("Vertices", str(len(wireframe.vertices))),
             ("Curves", ", ".join(f"{count} {name}" for name, count in zip(types, counts)) or "none"),
+            ("Doubtful", f"{int(wireframe.doubtful.sum())} of {len(wireframe.curves)} curves"),
             ("Length", f"{sum(curve.length for curve in wireframe.curves):.6g}"),
             ("r", f"{wireframe.sampling_distance:.4g}")]
     if wireframe.report is not None:

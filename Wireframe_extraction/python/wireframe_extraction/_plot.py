@@ -32,7 +32,8 @@ def plot(wireframe: Wireframe, ax: Any, points: Any) -> Any:
     for curve in wireframe.curves:
         label = None if curve.type in seen else curve.type
         seen.add(curve.type)
-        ax.plot(*samples[curves == curve.index].T, color=colors[curve.type], label=label)
+        ax.plot(*samples[curves == curve.index].T, color=colors[curve.type], label=label,
+                linestyle=":" if curve.doubtful else "-")
     if len(wireframe.vertices):
         ax.scatter(*wireframe.vertices.T, s=8, color="black", depthshade=False)
     if seen:

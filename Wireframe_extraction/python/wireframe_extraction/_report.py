@@ -34,8 +34,8 @@ class Report:
         Points near features.
     number_of_corners, number_of_free_ends : int
         Vertices of the wireframe in which curves meet, and in which a single curve ends.
-    number_of_clusters, number_of_curves : int
-        Groups of points that curves start from, and curves.
+    number_of_clusters, number_of_curves, number_of_doubtful_curves : int
+        Groups of points that curves start from, curves, and those of them that are doubtful.
     regularities : list of str
         What the parameter `regularize` made equal, coaxial, parallel or orthogonal.
     is_field_estimated : bool
@@ -67,6 +67,7 @@ class Report:
     number_of_free_ends: int = 0
     number_of_clusters: int = 0
     number_of_curves: int = 0
+    number_of_doubtful_curves: int = 0
     regularities: list[str] = field(default_factory=list)
     is_field_estimated: bool = False
     number_of_near_points: int = 0

@@ -58,6 +58,11 @@ class Wireframe:
         return np.array([curve.type for curve in self.curves], dtype="<U12")
 
     @property
+    def doubtful(self) -> npt.NDArray[np.bool_]:
+        """Whether each curve is doubtful, of shape (c,): ``(~wireframe.doubtful).sum()`` counts the others."""
+        return np.array([curve.doubtful for curve in self.curves], dtype=bool)
+
+    @property
     def sampling_distance(self) -> float:
         """Mean distance of a point of the cloud to its nearest neighbor, r."""
         return self._core.sampling_distance
@@ -182,7 +187,8 @@ class Wireframe:
         -------
         networkx.MultiGraph
             Nodes are the indices of vertices, with their position `pos`; edges are curves, with their index as key, and
-            with `curve`, `type` and `length`. Closed curves without vertex are in ``graph.graph["closed_curves"]``.
+            with `curve`, `type`, `length` and `doubtful`. Closed curves without vertex are in
+            ``graph.graph["closed_curves"]``.
         """
         from . import _convert
 
@@ -211,14 +217,14 @@ class Wireframe:
         Returns
         -------
         pyvista.PolyData
-            A line per curve, with the cell data `curve`, `type`, `length`, `radius` and `rms`.
+            A line per curve, with the cell data `curve`, `type`, `length`, `radius`, `rms` and `doubtful`.
         """
         from . import _convert
 
         return _convert.to_pyvista(self, step)
 
     def plot(self, ax: Axes3D | None = None, *, points: npt.ArrayLike | None = None) -> Axes3D:
-        """Draw the curves with matplotlib, in the colors of their types.
+        """Draw the curves with matplotlib, in the colors of their types; those that are doubtful are dotted.
 
         Parameters
         ----------

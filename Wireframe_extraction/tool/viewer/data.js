@@ -46,6 +46,23 @@ export const typeNames = {
   bspline: "B-spline"
 };
 
+export const doubtNames = {
+  free_end: "free end",
+  short: "short",
+  little_support: "little support",
+  misfit: "misfit",
+  no_fold: "no fold",
+  beside_another: "beside another",
+  uncertain_type: "uncertain type"
+};
+
+// the colours of curves that are doubtful, and of those that are not
+export const verdictColours = { doubtful: "#d1242f", clear: "#5a6472" };
+
+export function doubtsText(curve) {
+  return curve.doubts.map(name => doubtNames[name]).join(", ");
+}
+
 export function radiusText(curve) {
   if (!curve.radii)
     return "";

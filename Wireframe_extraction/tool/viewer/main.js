@@ -1,7 +1,7 @@
 // Puts the page together: what is chosen on the left decides what is seen in the middle and listed on the right.
 
 import { channels, colourOfIndex, colourOfResidual } from "./colours.js";
-import { radiusText, readData, short, typeNames } from "./data.js";
+import { doubtsText, radiusText, readData, short, typeNames, verdictColours } from "./data.js";
 import { CurveTable, make, showRun } from "./panels.js";
 import { View } from "./scene.js";
 
@@ -78,6 +78,9 @@ function isShown(curve) {
   const slider = byId("filter");
   if (state.hiddenTypes.has(curve.type))
     return false;
+  const verdict = byId("filter-verdict").value;
+  if (verdict !== "all" && (verdict === "doubtful") !== curve.doubts.length > 0)
+    return false;
   if (byId("filter-side").value === "above")
     return slider.value === slider.min || curve[measure()] >= filterLimit();
   return slider.value === slider.max || curve[measure()] <= filterLimit();
@@ -87,6 +90,8 @@ function colourOf(curve) {
   const choice = byId("curve-colour").value;
   if (choice === "residual")
     return colourOfResidual(curve[measure()] / (largest(measure()) || 1));
+  if (choice === "verdict")
+    return channels(verdictColours[curve.doubts.length > 0 ? "doubtful" : "clear"]);
   return choice === "index" ? colourOfIndex(curve.index) : channels(data.type_colours[curve.type]);
 }
 
@@ -122,7 +127,10 @@ for (const type of Object.keys(typeNames)) {
   byId("types").append(label);
 }
 
-for (const id of ["curve-colour", "filter-measure", "filter"])
+const doubtfulCurves = data.curves.filter(curve => curve.doubts.length > 0).length;
+byId("verdict-count").textContent = `${doubtfulCurves} of ${data.curves.length} doubtful`;
+
+for (const id of ["curve-colour", "filter-verdict", "filter-measure", "filter"])
   byId(id).addEventListener("input", updateCurves);
 byId("filter-side").addEventListener("input", () => {
   // at that end of the slider, all curves are shown
@@ -166,6 +174,8 @@ function showHint(hint, curve, x, y) {
     rows.push([curve.radii[0] === curve.radii[1] ? "radius" : "radii", `${radiusText(curve)} ${unit}`]);
   rows.push(["rms residual", residualText(curve.rms)], ["largest", residualText(curve.max)],
             ["support", `${curve.support} points`]);
+  if (curve.doubts.length > 0)
+    rows.push(["doubtful", doubtsText(curve)]);
   const values = make("table");
   for (const cells of rows) {
     const row = values.insertRow();

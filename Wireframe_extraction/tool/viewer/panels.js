@@ -1,6 +1,6 @@
 // The tables beside the view: the curves, and the run that made them.
 
-import { radiusText, short, typeNames } from "./data.js";
+import { doubtsText, radiusText, short, typeNames } from "./data.js";
 
 const mostRows = 2000;
 
@@ -21,7 +21,8 @@ const columns = [
   { title: "radius", value: curve => curve.radii ? curve.radii[0] : -1, text: radiusText },
   { title: "rms", value: curve => curve.rms, text: curve => short(curve.rms, 3) },
   { title: "largest", value: curve => curve.max, text: curve => short(curve.max, 3) },
-  { title: "support", value: curve => curve.support, text: curve => String(curve.support) }
+  { title: "support", value: curve => curve.support, text: curve => String(curve.support) },
+  { title: "doubts", value: curve => curve.doubts.length, text: doubtsText }
 ];
 
 export class CurveTable {

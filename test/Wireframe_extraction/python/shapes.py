@@ -20,7 +20,8 @@ def circle(center, radius):
     knots = radius * np.concatenate([[0], np.repeat(angles, 2), [2 * np.pi]])
     return closed_curve("circle", 2, knots, points, [1, np.sqrt(0.5)] * 4 + [1], center=list(center), axis=[0, 0, 1],
                         major_direction=[1, 0, 0], radii=[radius, radius], angles=[0, 2 * np.pi], rms=0.5,
-                        max=0.75, support=7, uncertainty={"position": 0.1, "direction": 0.2, "radii": [0.3, 0.4]})
+                        max=0.75, support=7, doubts=["misfit", "short"],
+                        uncertainty={"position": 0.1, "direction": 0.2, "radii": [0.3, 0.4]})
 
 
 def write(path, vertices, curves, sampling_distance=0.1):

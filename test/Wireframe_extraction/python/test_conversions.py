@@ -34,14 +34,17 @@ def test_pandas(box_wireframe, tmp_path):
     for row, (index, values) in zip(rows, table.iterrows()):
         assert int(row["index"]) == index
         for name, value in values.items():
-            if row[name] == "":
+            if row[name] == "" and name != "doubts":
                 assert str(value) in ("nan", "<NA>"), name
-            elif name in ("type", "closed"):
-                assert row[name] == str(value).lower() if name == "closed" else value
+            elif name in ("type", "doubts"):
+                assert row[name] == value
+            elif name in ("closed", "doubtful"):
+                assert row[name] == str(value).lower()
             else:
                 assert float(row[name]) == pytest.approx(float(value), rel=1e-12), name
     holes = table[table.type == "circle"]
     assert len(holes) == 2 and holes.major_radius.notna().all()
+    assert table.doubtful.dtype == bool and table.doubtful.tolist() == box_wireframe.doubtful.tolist()
     assert list(we.Wireframe().to_pandas().columns) == list(table.columns)
 
 
@@ -60,6 +63,7 @@ def test_pyvista(box_wireframe, monkeypatch):
     for line, curve in zip(lines, box_wireframe.curves):
         assert np.array_equal(line, curve.sample(0.1))
     assert data.cell_data["type"].tolist() == box_wireframe.types.tolist()
+    assert not data.cell_data["doubtful"].any()
 
 
 def test_matplotlib(box_wireframe, box):

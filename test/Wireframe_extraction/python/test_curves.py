@@ -1,5 +1,7 @@
 """Curves against closed forms, and against the splines of SciPy."""
 
+import pickle
+
 import numpy as np
 import pytest
 import shapes
@@ -70,6 +72,20 @@ def test_values(spline, circle):
     assert circle.angles == (0, 2 * np.pi) and (circle.rms, circle.max, circle.support) == (0.5, 0.75, 7)
     assert circle.uncertainty == {"position": 0.1, "direction": 0.2, "major_radius": 0.3, "minor_radius": 0.4}
     assert "circle" in repr(circle) and "radius 2" in repr(circle)
+    assert not spline.doubtful and spline.doubts == () and "doubtful" not in repr(spline)
+    assert circle.doubtful and circle.doubts == ("short", "misfit") and "doubtful: short, misfit" in repr(circle)
+
+
+def test_pickle(tmp_path, circle):
+    corners = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 3.0, 4.0)]
+    curves = [shapes.line(corners[0], corners[1], 0, 1), shapes.line(corners[2], corners[1], 2, 1)]
+    line = wireframe_extraction.read(shapes.write(tmp_path / "lines.json", corners, curves)).curves[1]
+    for curve in (line, circle):
+        copy = pickle.loads(pickle.dumps(curve))
+        assert repr(copy) == repr(curve) and (copy.source, copy.target) == (curve.source, curve.target)
+        assert np.array_equal(copy.control_points, curve.control_points) and copy.doubts == curve.doubts
+        assert repr(pickle.loads(pickle.dumps(copy))) == repr(curve)
+    assert len(pickle.dumps(line)) < 1000
 
 
 def test_line(tmp_path):

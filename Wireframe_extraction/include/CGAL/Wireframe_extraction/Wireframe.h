@@ -15,6 +15,7 @@
 #include <CGAL/Wireframe_extraction/Spline_curve_3.h>
 #include <CGAL/Wireframe_extraction/Wireframe_conic.h>
 #include <CGAL/Wireframe_extraction/Wireframe_curve_type.h>
+#include <CGAL/Wireframe_extraction/Wireframe_doubt.h>
 #include <CGAL/Wireframe_extraction/internal/spline/Wireframe_check.h>
 
 #include <CGAL/assertions.h>
@@ -22,6 +23,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -63,11 +65,16 @@ struct Wireframe_curve
                                                        ///< other kinds have none. `spline` has the same shape, up to
                                                        ///< rounding
   Wireframe_curve_uncertainty<GeomTraits> uncertainty; ///< of the parameters of a line or conic
-  std::size_t source = no_vertex; ///< index of the vertex at which the curve starts, or `no_vertex`
-  std::size_t target = no_vertex; ///< index of the vertex at which the curve ends, or `no_vertex`
-  FT rms = FT(0);                 ///< root mean square of the field's residuals on the curve, in the cloud's unit
-  FT max = FT(0);                 ///< largest absolute residual of the supporting points, in the cloud's unit
-  std::size_t support = 0;        ///< number of points of the cloud that support the curve
+  std::size_t source = no_vertex;   ///< index of the vertex at which the curve starts, or `no_vertex`
+  std::size_t target = no_vertex;   ///< index of the vertex at which the curve ends, or `no_vertex`
+  FT rms = FT(0);                   ///< root mean square of the field's residuals on the curve, in the cloud's unit
+  FT max = FT(0);                   ///< largest absolute residual of the supporting points, in the cloud's unit
+  std::size_t support = 0;          ///< number of points of the cloud that support the curve
+  std::set<Wireframe_doubt> doubts; ///< why the curve may be wrong, as `extract_wireframe()` finds; empty if it has
+                                    ///< nothing against it
+
+  /// returns whether the curve has `doubts`. Constant time.
+  bool is_doubtful() const { return !doubts.empty(); }
 
   /// returns whether the curve ends where it starts.
   bool is_closed() const { return spline.is_closed(); }

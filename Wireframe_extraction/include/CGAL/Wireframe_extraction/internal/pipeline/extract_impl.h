@@ -35,6 +35,7 @@
 #include <CGAL/Wireframe_extraction/internal/pipeline/Stage_runner.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/estimate_distances.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/extract.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/find_doubts.h>
 #include <CGAL/Wireframe_extraction/internal/types/recognize.h>
 
 #include <CGAL/Real_timer.h>
@@ -85,7 +86,8 @@ public:
 
   Wireframe<Plain_traits> run(Distance_cloud_source& source)
   {
-    if (!read(source) || !find_scale() || !find_field() || !find_skeleton() || !find_curves() || !fit_all())
+    if (!read(source) || !find_scale() || !find_field() || !find_skeleton() || !find_curves() || !fit_all()
+        || !doubt_curves())
       return Wireframe<Plain_traits>();
     summarize();
     return m_wireframe;
@@ -237,11 +239,16 @@ private:
     m_visitor.curves_fitted(m_wireframe);
     if (!m_options.recognize_types)
       return true;
-    if (!stage("types", 1.,
+    if (!stage("types", 0.98,
                [&] { recognize(m_skeleton, m_wireframe, m_options, m_progress, m_wireframe, m_report.regularities); }))
       return false;
     m_visitor.types_recognized(m_wireframe);
     return true;
+  }
+
+  bool doubt_curves()
+  {
+    return stage("doubts", 1., [&] { find_doubts(m_skeleton.data(), m_options, m_wireframe, m_progress); });
   }
 
   void summarize()
@@ -258,6 +265,7 @@ private:
       squares += CGAL::square(curve.rms) * double(curve.support);
       support += double(curve.support);
       m_report.max = (std::max)(m_report.max, curve.max);
+      m_report.number_of_doubtful_curves += std::size_t(curve.is_doubtful());
     }
     m_report.rms = support > 0. ? std::sqrt(squares / support) : 0.;
     m_report.number_of_free_ends = std::count(ends.begin(), ends.end(), std::size_t(1));

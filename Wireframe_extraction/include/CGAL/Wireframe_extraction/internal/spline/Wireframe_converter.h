@@ -98,6 +98,7 @@ private:
     result.rms = number(curve.rms);
     result.max = number(curve.max);
     result.support = curve.support;
+    result.doubts = curve.doubts;
     return result;
   }
 

@@ -51,6 +51,8 @@ class Curve_type_recognizer
   static constexpr double least_spline_deviation = 0.05, spline_deviation_per_noise = 2.;
   // further than from one station to the next but one, no vertex goes by itself
   static constexpr double farthest_move = 2. * Curve_stations::spacing;
+  // of the significance: what is less likely is refuted beyond doubt
+  static constexpr double share_of_narrow = 0.01;
   static constexpr double least_extent = 1e-3; // r, of a line or a radius: below, it is a point
   // Shares of the time, for who waits: finding the points of the curves, and cutting these. How many rounds the common fit
   // takes is not known; each is taken for a half of what is left.
@@ -516,14 +518,32 @@ private:
           set_deviations(candidate, candidate.pieces[i], piece);
           measure(piece);
         }
-        else if (!piece.is_whole)
+        else
         {
-          set_end_tangents(candidate, i, network, edges[c], piece);
-          measure(piece);
+          piece.is_type_uncertain = is_narrowly_refuted(range(candidate, candidate.pieces[i]));
+          if (!piece.is_whole)
+          {
+            set_end_tangents(candidate, i, network, edges[c], piece);
+            measure(piece);
+          }
         }
         result.push_back(piece);
       }
     }
+  }
+
+  // whether the most likely primitive is less likely than the significance, but not by far
+  bool is_narrowly_refuted(const Station_range& stations) const
+  {
+    const double least = share_of_narrow * m_significance;
+    double best = 0.;
+    for (const Primitive_kind kind : {Primitive_kind::LINE, Primitive_kind::CIRCLE, Primitive_kind::ELLIPSE})
+    {
+      const Primitive_fit fit(kind, stations, least);
+      if (fit.is_valid)
+        best = (std::max)(best, fit.misfit.probability(fit.curve.number_of_parameters()));
+    }
+    return best >= least && best < m_significance;
   }
 
   Typed_piece outline(std::size_t c, std::size_t i) const

@@ -74,6 +74,8 @@ public:
       else
         make_conic(piece, polyline, curve);
     }
+    if (piece.is_type_uncertain)
+      curve.doubts.insert(Wireframe_doubt::UNCERTAIN_TYPE);
     curve.source = piece.vertices[0];
     curve.target = piece.vertices[1];
     return curve;

@@ -45,6 +45,7 @@ struct Typed_piece
   bool is_whole = true;
   std::array<std::size_t, 2> vertices{{no_vertex, no_vertex}};
   bool is_primitive = false;
+  bool is_type_uncertain = false; // it is a spline, but only just
   Primitive_curve shape;
   Vector middle = Vector::Zero(); // a point about half way, which tells in what direction a shape is run through
   std::array<Vector, 2> end_tangents{{Vector::Zero(), Vector::Zero()}}; // that a spline has to take on, if not zero

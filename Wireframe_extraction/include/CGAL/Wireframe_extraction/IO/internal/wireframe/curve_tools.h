@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string>
 
 namespace CGAL {
@@ -90,6 +91,22 @@ inline std::string hexadecimal(const Colour& colour)
   for (const int channel : {colour.red, colour.green, colour.blue})
     text += std::string(1, "0123456789abcdef"[channel / 16]) + "0123456789abcdef"[channel % 16];
   return text;
+}
+
+inline const std::array<Wireframe_doubt, 7>& all_doubts()
+{
+  static const std::array<Wireframe_doubt, 7> doubts = {
+    {Wireframe_doubt::FREE_END, Wireframe_doubt::SHORT, Wireframe_doubt::LITTLE_SUPPORT, Wireframe_doubt::MISFIT,
+     Wireframe_doubt::NO_FOLD, Wireframe_doubt::BESIDE_ANOTHER, Wireframe_doubt::UNCERTAIN_TYPE}};
+  return doubts;
+}
+
+inline std::string names_of(const std::set<Wireframe_doubt>& doubts, const std::string& separator)
+{
+  std::string names;
+  for (const Wireframe_doubt doubt : doubts)
+    names += (names.empty() ? "" : separator) + to_string(doubt);
+  return names;
 }
 
 inline const std::array<Wireframe_curve_type, 6>& all_curve_types()

@@ -13,6 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_READ_JSON_IMPL_H
 
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/Plain_wireframe.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/curve_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/read_json.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/wireframe_tools.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
@@ -20,10 +21,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <istream>
 #include <new>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -126,7 +129,8 @@ private:
     if (!read_type(json, curve.type) || !read_vertex(json, "source", curve.source)
         || !read_vertex(json, "target", curve.target) || (json.contains("rms") && !read_number(json, "rms", rms))
         || (json.contains("max") && !read_number(json, "max", max))
-        || (json.contains("support") && !read_count(json, "support", support)))
+        || (json.contains("support") && !read_count(json, "support", support))
+        || (json.contains("doubts") && !read_doubts(json, curve.doubts)))
       return false;
     curve.rms = rms;
     curve.max = max;
@@ -215,6 +219,22 @@ private:
       names += std::string(names.empty() ? "" : ", ") + to_string(known);
     }
     return fail("\"type\" is " + found(json, "type") + ", it has to be one of " + names);
+  }
+
+  bool read_doubts(const Json& json, std::set<Wireframe_doubt>& doubts)
+  {
+    const Json* names = nullptr;
+    if (!find_array(json, "doubts", names))
+      return false;
+    for (const Json& name : *names)
+    {
+      const auto is_named = [&](Wireframe_doubt known) { return name == to_string(known); };
+      const auto found = std::find_if(all_doubts().begin(), all_doubts().end(), is_named);
+      if (found == all_doubts().end())
+        return fail("\"doubts\" holds " + brief(name) + ", which is no known reason");
+      doubts.insert(*found);
+    }
+    return true;
   }
 
   // null or nothing stands for no vertex

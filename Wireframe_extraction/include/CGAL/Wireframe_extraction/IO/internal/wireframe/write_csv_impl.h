@@ -66,7 +66,7 @@ inline const char* csv_header()
   return "index,type,closed,source,target,length,center_x,center_y,center_z,axis_x,axis_y,axis_z,"
          "major_direction_x,major_direction_y,major_direction_z,major_radius,minor_radius,start_angle,end_angle,"
          "position_uncertainty,direction_uncertainty,major_radius_uncertainty,minor_radius_uncertainty,"
-         "rms,max,support\r\n";
+         "rms,max,support,doubtful,doubts\r\n";
 }
 
 // of a line: its middle and its direction
@@ -91,12 +91,14 @@ inline void add_csv_conic(const Plain_conic& conic, const Plain_traits& traits, 
     row.add(value);
 }
 
+inline std::string truth_text(bool value) { return value ? "true" : "false"; }
+
 inline std::string csv_row(std::size_t index, const Plain_curve& curve, const Plain_traits& traits)
 {
   Csv_row row;
   row.add(std::to_string(index));
   row.add(to_string(curve.type));
-  row.add(std::string(curve.is_closed() ? "true" : "false"));
+  row.add(truth_text(curve.is_closed()));
   for (const std::size_t vertex : {curve.source, curve.target})
     row.add(vertex == Plain_curve::no_vertex ? std::string() : std::to_string(vertex));
   row.add(curve.length());
@@ -124,6 +126,8 @@ inline std::string csv_row(std::size_t index, const Plain_curve& curve, const Pl
   row.add(curve.rms);
   row.add(curve.max);
   row.add(std::to_string(curve.support));
+  row.add(truth_text(curve.is_doubtful()));
+  row.add(names_of(curve.doubts, " ")); // which need no quotes
   return row.text();
 }
 

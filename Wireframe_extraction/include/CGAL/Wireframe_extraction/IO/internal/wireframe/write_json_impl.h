@@ -68,7 +68,8 @@ inline std::string json_curve(const Plain_curve& curve)
   if (curve.spline.is_rational())
     text += ",\"weights\":" + json_array(curve.spline.weights(), json_number);
   return text + json_parameters(curve) + ",\"rms\":" + json_number(curve.rms) + ",\"max\":" + json_number(curve.max)
-    + ",\"support\":" + std::to_string(curve.support) + "}";
+    + ",\"support\":" + std::to_string(curve.support) + ",\"doubts\":"
+    + json_array(curve.doubts, [](Wireframe_doubt doubt) { return "\"" + to_string(doubt) + "\""; }) + "}";
 }
 
 CGAL_WIREFRAME_EXTRACTION_INLINE

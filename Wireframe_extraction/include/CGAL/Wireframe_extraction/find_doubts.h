@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Wireframe_extraction authors.
+// All rights reserved.
+//
+// This file is part of Wireframe_extraction, a package in the conventions of CGAL (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Wireframe_extraction authors
+
+#ifndef CGAL_WIREFRAME_EXTRACTION_FIND_DOUBTS_H
+#define CGAL_WIREFRAME_EXTRACTION_FIND_DOUBTS_H
+
+#include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
+#include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
+#include <CGAL/Wireframe_extraction/internal/base/Plain_traits.h>
+#include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
+#include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/find_doubts.h>
+#include <CGAL/Wireframe_extraction/internal/spline/Wireframe_converter.h>
+
+#include <cstddef>
+#include <functional>
+
+namespace CGAL {
+namespace Wireframe_extraction {
+
+/*!
+\ingroup PkgWireframeExtractionFunctions
+
+notes why curves of a finished wireframe may be wrong, in `Wireframe_curve::doubts`. Nothing else is changed, and what is
+there already, such as the `Wireframe_doubt::UNCERTAIN_TYPE` of `recognize_curve_types()`, stays. The manual has the
+threshold of each reason.
+
+\tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag` (the default)
+\tparam GeomTraits a model of `WireframeExtractionTraits_3`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param skeleton the skeleton
+\param wireframe the wireframe that `fit_curves()` or `recognize_curve_types()` makes from it
+\param np an optional sequence of named parameters:
+\cgalNamedParamsBegin
+  \cgalParamNBegin{extraction_report}
+    \cgalParamDescription{a reference to what gets the status and the message: `std::ref(report)`}
+    \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
+    \cgalParamDefault{unused}
+  \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{a function that is called with the share that is done and returns whether to go on}
+    \cgalParamType{an instance of `std::function<bool(double)>`}
+    \cgalParamDefault{unused}
+  \cgalParamNEnd
+  \cgalParamNBegin{noise_level}
+    \cgalParamDescription{the standard deviation of the distances, in multiples of r}
+    \cgalParamType{`double`}
+    \cgalParamDefault{what `contract_skeleton()` or `refine_field()` found}
+    \cgalParamExtra{A negative value stands for the default.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `true` on success. It is `false` if a parameter is out of its range, or after cancelling; then some doubts may be
+missing.
+
+Complexity: O(n log n) for n points.
+*/
+template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTraits,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+bool find_doubts(const Wireframe_skeleton<GeomTraits>& skeleton, Wireframe<GeomTraits>& wireframe,
+                 const NamedParameters& np = CGAL::parameters::default_values())
+{
+  internal::Stage_call call(np);
+  if (!call.is_well())
+    return false;
+  const std::function<bool(double)> proceed = call.progress();
+  const internal::Plain_traits plain_traits;
+  Wireframe<internal::Plain_traits> plain =
+    internal::Wireframe_converter<GeomTraits, internal::Plain_traits>(skeleton.traits(), plain_traits)(wireframe);
+  bool is_complete = false;
+  internal::run_concurrently<ConcurrencyTag>(
+    [&] { is_complete = internal::find_doubts(skeleton.data(), call.options(), plain, proceed); });
+  for (std::size_t c = 0; c < wireframe.curves.size(); ++c)
+    wireframe.curves[c].doubts = plain.curves[c].doubts;
+  return is_complete || call.fail(Wireframe_extraction_report::Status::CANCELLED, "cancelled");
+}
+
+} // namespace Wireframe_extraction
+} // namespace CGAL
+
+#endif // CGAL_WIREFRAME_EXTRACTION_FIND_DOUBTS_H
