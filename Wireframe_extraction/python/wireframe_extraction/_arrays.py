@@ -69,6 +69,15 @@ def distances(values: Any, number_of_points: int) -> npt.NDArray[Any] | None:
     return _as_floats(array)
 
 
+def check_normals(values: Any, number_of_points: int) -> None:
+    """Refuse normals that are none: a mistake in a call is one, too, where what is given is not used."""
+    if values is None:
+        return
+    array = points(values, "normals")
+    if len(array) != number_of_points:
+        raise ValueError(f"normals has {len(array)} rows for {number_of_points} points; give one for each point")
+
+
 def finite_points(values: Any, name: str = "points") -> npt.NDArray[Any]:
     """Return points that are all finite; a single point of shape (3,) becomes a row."""
     array = _as_numbers(name, values)

@@ -30,8 +30,8 @@ class Field(NamedTuple):
     deviations: Array
 
 
-def extract(points: Any, distances: Any = None, *, faces: Any = None, threads: int = 0, progress: Any = None,
-            **parameters: Any) -> Wireframe:
+def extract(points: Any, distances: Any = None, *, faces: Any = None, normals: Any = None, threads: int = 0,
+            progress: Any = None, **parameters: Any) -> Wireframe:
     """Extract the parametric wireframe of a shape from a dense point cloud of its surface.
 
     The result is that of the tool `extract_wireframe` for the same cloud and parameters, to the last bit, whatever the
@@ -48,6 +48,9 @@ def extract(points: Any, distances: Any = None, *, faces: Any = None, threads: i
     faces : array_like of shape (m, 3), optional
         The faces of a mesh, whose vertices are `points`. A shape whose sharp edges are edges of the mesh, as CAD
         programs export them, is sampled; the vertices of a scan are the points.
+    normals : array_like of shape (n, 3), optional
+        The normals of the points, for clouds that come with them. They are checked and not used: the points tell where
+        the surface is folded, and the result is the same without them.
     threads : int
         The largest number of threads; 0 for as many as there are.
     progress : callable, optional
@@ -81,6 +84,8 @@ def extract(points: Any, distances: Any = None, *, faces: Any = None, threads: i
     if isinstance(points, (str, bytes, os.PathLike)) or _are_paths(points):
         if faces is not None:
             raise ValueError("faces goes with points in an array; a file has its own faces")
+        if normals is not None:
+            raise ValueError("normals goes with points in an array; those of a file are passed over")
         return _of_file(points, distances, parameters, threads, progress)
     known = {**_parameters.EXTRACTION, **(_parameters.MESH if faces is not None else {})}
     for name in parameters:
@@ -90,6 +95,7 @@ def extract(points: Any, distances: Any = None, *, faces: Any = None, threads: i
     values = _parameters.checked("extract", parameters, known)
     points = _arrays.points(points)
     distances = _arrays.distances(distances, len(points))
+    _arrays.check_normals(normals, len(points))
     if faces is not None:
         if distances is not None:
             raise ValueError("there are both distances and faces; leave out distances to have them from the mesh, or "

@@ -18,6 +18,7 @@ def extract(
     distances: npt.ArrayLike | _Path | None = ...,
     *,
     faces: npt.ArrayLike | None = ...,
+    normals: npt.ArrayLike | None = ...,
     threads: int = ...,
     progress: _Progress = ...,
     sampling_distance: float | None = ...,

@@ -89,7 +89,7 @@ def test_parameters(package, stub, function):
     written = [argument.arg for argument in node.args.kwonlyargs]
     expected = {*we._parameters.READING, *we._parameters.MESH}
     if function == "extract":
-        expected |= {*we.default_parameters(), "faces", "threads", "progress"}
+        expected |= {*we.default_parameters(), "faces", "normals", "threads", "progress"}
     else:
         expected |= {*we._parameters.SHARED}
     assert len(written) == len(set(written)) and set(written) == expected
