@@ -43,6 +43,12 @@ class Figures:
         self.run("plot_python.py", data / "slotted_plate.ply", data / "crossing_cylinders.ply",
                  "-o", self.output / "python_plot.png")
 
+    def python_recipes(self):
+        data = ROOT / "examples/Wireframe_extraction/data"
+        noisy = self.case("inscribed_boss", 10000, "recipes") / "noisy.ply"
+        self.run("plot_python_recipes.py", data / "box_with_hole.ply", data / "crossing_cylinders.ply", noisy,
+                 "-o", self.output)
+
     def stages(self):
         cloud = self.case("slotted_plate", 20000, "stages") / "def.ply"
         splines, typed = self.work / "splines.json", self.work / "typed.json"
@@ -69,7 +75,7 @@ class Figures:
 
 
 def main():
-    names = ("wireframe_extraction", "python_plot", "stages", "limits", "sweep")
+    names = ("wireframe_extraction", "python_plot", "python_recipes", "stages", "limits", "sweep")
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--programs", required=True, type=pathlib.Path,
                         help="the folder with make_cloud, extract_wireframe and run_benchmark")

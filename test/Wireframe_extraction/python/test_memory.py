@@ -68,7 +68,7 @@ def test_nothing_leaks(data, tmp_path):
     def extract():
         we.extract(points, distances, threads=1)
 
-    for work, number in ((use, 1000), (extract, 100)):
+    for work, number in ((use, 300), (extract, 40)):
         for _ in range(20):
             work()
         before = memory("VmRSS")

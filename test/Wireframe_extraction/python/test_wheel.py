@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+import tarfile
 import zipfile
 
 import pytest
@@ -35,6 +36,21 @@ def wheel(root, tmp_path_factory):
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8", check=False)
     assert done.returncode == 0, done.stdout
     return next(folder.glob("*.whl"))
+
+
+def test_source_archive(root, tmp_path):
+    pytest.importorskip("build")
+    command = [sys.executable, "-m", "build", "--sdist", "--no-isolation", "--outdir", tmp_path, root]
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8", check=False)
+    assert done.returncode == 0, done.stdout
+    with tarfile.open(next(tmp_path.glob("*.tar.gz"))) as archive:
+        names = {name.partition("/")[2] for name in archive.getnames()}
+    assert {"CMakeLists.txt", "LICENSE", "README.md", "pyproject.toml"} <= names
+    # what is compiled, and what CMake reads
+    for folder in ("Wireframe_extraction", "benchmark/Wireframe_extraction/include"):
+        files = {path.relative_to(root).as_posix() for path in (root / folder).rglob("*") if path.is_file()}
+        assert {name for name in files if "__pycache__" not in name and not name.endswith(".so")} <= names
+    assert not any(name.startswith(("build", "test")) for name in names)
 
 
 def test_content(wheel, root):
