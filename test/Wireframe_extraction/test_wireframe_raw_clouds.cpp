@@ -52,7 +52,7 @@ namespace WP = CGAL::Wireframe_extraction::parameters;
 
 using Sample_solids::Sampling;
 
-const double r = 0.05;
+const double r = 0.03;
 
 struct Raw_shape
 {
