@@ -508,6 +508,24 @@ void test_stage_by_stage()
     are_same(given, CGAL::extract_wireframe(cloud, WP::sampling_distance(field.sampling_distance).noise_level(0.1))));
 }
 
+// A cloud whose noise is larger than its spacing is looked at by means of its points.
+void test_much_noise()
+{
+  Random random(3);
+  Points points = box().points;
+  for (Point& p : points)
+    p = p + 1.5 * r * Vector(gaussian(random), gaussian(random), gaussian(random));
+  Report report;
+  const Wireframe wireframe = CGAL::extract_wireframe(points, WP::extraction_report(std::ref(report)));
+  assert(report.status == Status::SUCCESS || report.status == Status::NO_FEATURE);
+  assert(report.sampling_distance > 1.5 * r && report.warnings.size() == 1 && report.number_of_skipped_points == 0);
+  assert(report.warnings.front().find("means") != std::string::npos);
+  assert(report.number_of_points == points.size() && report.point_noise > 0.5 * r);
+  // who names the scale gets it
+  CGAL::extract_wireframe(points, WP::sampling_distance(r).extraction_report(std::ref(report)));
+  assert(report.sampling_distance == r && report.warnings.empty());
+}
+
 // points with normals have no distances
 void test_normals()
 {
@@ -593,6 +611,7 @@ int main()
   test_threads();
   test_points_in_memory();
   test_stage_by_stage();
+  test_much_noise();
   test_normals();
   test_source();
   test_cancelling();

@@ -48,7 +48,8 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool estimate_field(const std::vector<Vector>& 
                                                      Field_estimate& estimate)
 {
   // Votes of neighbors rest on the same points, so that their errors are not independent, and their mean errs as they do.
-  static constexpr double least_noise_level = 0.1, most_noise_level = 0.5;
+  // With a level above the largest, stages take wrong parts of the field for noise, and find fewer curves (measured).
+  static constexpr double least_noise_level = 0.1, most_noise_level = 0.3;
   const Ball_search search(points);
   estimate.point_noise = point_noise(points, search);
   const Fold_scales scales(estimate.point_noise);

@@ -37,12 +37,14 @@ namespace internal {
 class Points_to_estimate
 {
   std::vector<Vector> m_points;
+  Vector m_middle = Vector::Zero(); // of the positions: where the points have their origin
+  double m_unit;
   std::vector<std::size_t> m_order, m_place; // of the positions: sorted, and where each of these is among the points
 
 public:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  Points_to_estimate(const std::vector<Vector>& positions, double unit)
+  Points_to_estimate(const std::vector<Vector>& positions, double unit) : m_unit(unit)
   {
     m_order.resize(positions.size());
     std::iota(m_order.begin(), m_order.end(), std::size_t(0));
@@ -57,10 +59,11 @@ public:
         m_points.push_back(positions[m_order[k]]);
       m_place.push_back(m_points.size() - 1);
     }
-    localize(unit);
+    localize();
   }
 
   const std::vector<Vector>& points() const { return m_points; }
+  Vector to_global(const Vector& point) const { return m_middle + m_unit * point; }
 
   // calls `use(index of a position, index of a point or none)` for all positions
   template <class Use>
@@ -71,14 +74,14 @@ public:
   }
 
 private:
-  void localize(double unit)
+  void localize()
   {
-    const Vector middle = median_position(m_points);
+    m_middle = median_position(m_points);
     std::vector<std::size_t> new_place(m_points.size(), none);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < m_points.size(); ++i)
     {
-      const Vector point = (m_points[i] - middle) / unit;
+      const Vector point = (m_points[i] - m_middle) / m_unit;
       if (!(point.cwiseAbs().maxCoeff() < farthest_in_units))
         continue;
       new_place[i] = kept;

@@ -22,6 +22,7 @@
 #include <CGAL/Wireframe_extraction/internal/base/Plain_traits.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/input_checks.h>
+#include <CGAL/Wireframe_extraction/internal/estimate/mean_points.h>
 #include <CGAL/Wireframe_extraction/internal/field/contract.h>
 #include <CGAL/Wireframe_extraction/internal/field/refine.h>
 #include <CGAL/Wireframe_extraction/internal/field/select_skeleton.h>
@@ -31,6 +32,7 @@
 #include <CGAL/Wireframe_extraction/internal/network/segment_curves.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/Extraction_request.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/Mean_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/Plain_visitor.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/Stage_runner.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/estimate_distances.h>
@@ -45,9 +47,12 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iomanip>
 #include <limits>
 #include <memory>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -68,6 +73,7 @@ class Extraction
   Stage_runner m_runner;
   const std::function<bool(double)> m_progress;
   double m_share_before = 0.;              // of the work that was done for the field
+  std::unique_ptr<Mean_cloud> m_means;     // what is looked at instead of a cloud with much noise
   std::unique_ptr<Surveyed_cloud> m_cloud; // as long as it is needed
   Distance_field m_field;                  // if it had to be estimated
   Skeleton m_skeleton;
@@ -155,10 +161,9 @@ private:
     static constexpr double share_when_done = 0.5;
     if (m_cloud->has_distances())
       return true;
-    const double unit = m_report.sampling_distance;
-    if (!stage("field", share_when_done,
-               [&] { estimate_distances(*m_cloud, unit, m_options.minimum_fold, m_progress, m_field); }))
+    if (!stage("field", share_when_done, [&] { estimate_field_at_best_scale(); }))
       return false;
+    const double unit = m_report.sampling_distance;
     m_share_before = share_when_done;
     report_field(m_field, m_report);
     m_visitor.field_estimated(m_field);
@@ -168,6 +173,35 @@ private:
     m_options.noise_level = m_options.noise_or(m_field.noise_level);
     return check_truncation(*m_cloud, unit, m_options, m_report)
       || fail(Report::Status::INVALID_INPUT, m_report.message);
+  }
+
+  void estimate_field_at_best_scale()
+  {
+    const double unit = m_report.sampling_distance;
+    if (!estimate_distances(*m_cloud, unit, m_options.minimum_fold, m_progress, m_field)
+        || m_request.sampling_distance > 0. || !(m_field.point_noise > most_point_noise * unit))
+      return;
+    auto means = std::make_unique<Mean_cloud>(*m_cloud, unit);
+    auto cloud = std::make_unique<Surveyed_cloud>(*means, (std::numeric_limits<std::size_t>::max)());
+    cloud->survey();
+    const double coarse_unit = cloud->scale().sampling_distance;
+    if (!(coarse_unit > unit))
+      return;
+    const double point_noise = m_field.point_noise;
+    // its share of the progress is used up
+    if (!estimate_distances(
+          *cloud, coarse_unit, m_options.minimum_fold, [&](double) { return m_progress(1.); }, m_field))
+      return;
+    m_field.point_noise = point_noise;
+    complete_field(*m_cloud, *cloud, m_field);
+    m_cloud = std::move(cloud);
+    m_means = std::move(means);
+    m_report.sampling_distance = coarse_unit;
+    m_visitor.sampling_distance_estimated(coarse_unit);
+    std::ostringstream text;
+    text << std::setprecision(3) << "the points err by " << point_noise << ", more than they lie apart (" << unit
+         << "): the wireframe is that of their means, which lie " << coarse_unit << " apart";
+    m_report.warnings.push_back(text.str());
   }
 
   bool find_skeleton()
