@@ -8,6 +8,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,7 @@ using namespace CGAL::Wireframe_extraction::internal;
 typedef std::vector<Vector> Polyline;
 
 const Joining_options options;
+const std::function<bool(double)> uninterrupted;
 const double quarter_turn = std::acos(0.);
 
 Polyline straight(const Vector& from, const Vector& to, double spacing = 0.5)
@@ -343,16 +345,78 @@ void test_ends_of_a_short_curve_do_not_meet()
     }
 }
 
+// Curves that come too close before they meet --------------------------------------------------------
+
+// a fork of two curves that lead to a short one, the stem, at these angles to it
+Curve_network fork(double length_of_stem, double first_angle, double second_angle, bool is_turned)
+{
+  const Vector middle(0., 0., 0.), end(length_of_stem, 0., 0.);
+  const auto branch = [&](double angle) {
+    const Vector from = -20. * Vector(std::cos(angle), std::sin(angle), 0.);
+    return is_turned ? straight(middle, from) : straight(from, middle);
+  };
+  return network_of(
+    {branch(first_angle), branch(second_angle), is_turned ? straight(end, middle) : straight(middle, end)});
+}
+
+// A short curve to which two lead belongs to both, if they come from behind it: then these meet at its end. The angle may
+// be larger where the stem ends freely, as a trace may have gone astray there.
+void test_acute_corners()
+{
+  const auto is_closed = [](Curve_network network, const Vector& end) {
+    Tangency_resolver(network, options).close_acute_corners();
+    check_ends(network);
+    const std::size_t ends = number_of_ends_at(network, end, 1e-9);
+    assert(living(network).size() == (ends == 2 ? 2u : network.curves.size()));
+    return ends == 2;
+  };
+  for (bool is_turned : {false, true})
+  {
+    assert(is_closed(fork(4., 0.1, -0.1, is_turned), Vector(4., 0., 0.)));
+    assert(is_closed(fork(5.5, 0.9, 0., is_turned), Vector(5.5, 0., 0.)));
+    // too long, or a spur on a curve that hardly turns, or a corner of three edges
+    assert(!is_closed(fork(8., 0.1, -0.1, is_turned), Vector(8., 0., 0.)));
+    assert(!is_closed(fork(4., 1.5, -1.5, is_turned), Vector(4., 0., 0.)));
+    assert(!is_closed(fork(4., 1.3, 0., is_turned), Vector(4., 0., 0.)));
+    // a stem that ends in another vertex is an edge, unless both lead on smoothly
+    for (double angle : {0.2, 0.9})
+    {
+      Curve_network network = fork(4., angle, 0., is_turned);
+      Curve_network other = network_of({straight(Vector(4., 0., 0.), Vector(4., 20., 0.))});
+      other.curves[0].nodes = {network.curves[2].nodes[is_turned ? 0 : 1], network.nodes.size()};
+      network.nodes.push_back(other.nodes[1]);
+      network.curves.push_back(other.curves[0]);
+      Tangency_resolver(network, options).close_acute_corners();
+      check_ends(network);
+      assert(living(network).size() == (angle < 0.5 ? 3u : 4u));
+    }
+  }
+}
+
 // Joints that are rounded ----------------------------------------------------------------------------
 
-double distance_to(const Vector& p, const std::vector<const Polyline*>& lines)
+double distance_to(const Vector& p, const std::vector<Polyline>& lines)
 {
   double least = 1e9;
-  for (const Polyline* line : lines)
-    for (std::size_t k = 1; k < line->size(); ++k)
-      least = std::min(least, std::sqrt(squared_distance_to_segment(p, (*line)[k - 1], (*line)[k])));
+  for (const Polyline& line : lines)
+    for (std::size_t k = 1; k < line.size(); ++k)
+      least = std::min(least, std::sqrt(squared_distance_to_segment(p, line[k - 1], line[k])));
   return least;
 }
+
+// judges polylines as they are drawn by their distance to the corner
+struct Drawn_joint
+{
+  Vector center;
+  double loss_per_distance;
+
+  double loss(const std::vector<Polyline>& lines) const { return loss_per_distance * distance_to(center, lines); }
+  Joint_course smooth(const Polyline& line, Progress&) const { return {{line}, loss({line})}; }
+  Joint_course corner(const Polyline& head, const Polyline& tail, Progress&) const
+  {
+    return {{head, tail}, loss({head, tail})};
+  }
+};
 
 // Every joint of a chain is asked once, whatever the order and the directions of its curves, and where the field likes
 // a rounded course better the chain is one smooth curve in the end.
@@ -370,16 +434,17 @@ void test_round_off_asks_at_every_joint()
           lines.push_back(turned >> k & 1 ? straight(corners[k + 1], corners[k], 1.)
                                           : straight(corners[k], corners[k + 1], 1.));
         Curve_network network = network_of(lines);
+        Progress progress(uninterrupted);
         std::vector<std::size_t> asked(corners.size(), 0);
         Curve_end_joiner(network, options)
           .round_off(
-            [&](const Vector& center, double, const std::vector<const Polyline*>& now) {
-              const double off = distance_to(center, now);
+            [&](const Vector& center, const std::vector<Polyline>& lines) {
+              assert(lines.size() == 2 && lines[0].back() == center && lines[1].front() == center);
               for (std::size_t k = 0; k < corners.size(); ++k)
-                asked[k] += center == corners[k] && off < 1e-6;
-              return is_rounded ? -off : off;
+                asked[k] += center == corners[k];
+              return Drawn_joint{center, is_rounded ? -1. : 1.};
             },
-            0.1);
+            0.1, progress);
         assert((asked == std::vector<std::size_t>{0, 1, 1, 1, 0}));
         check_ends(network);
         const std::vector<Network_curve> curves = living(network);
@@ -387,7 +452,7 @@ void test_round_off_asks_at_every_joint()
         if (!is_rounded)
           continue;
         assert(largest_turn(curves[0].points) < 0.35);
-        assert(distance_to(corners[2], {&curves[0].points}) > 1. && distance_to(corners[2], {&curves[0].points}) < 2.5);
+        assert(distance_to(corners[2], {curves[0].points}) > 1. && distance_to(corners[2], {curves[0].points}) < 2.5);
         for (const Vector& end : {corners.front(), corners.back()})
           assert((curves[0].points.front() - end).norm() < 1e-9 || (curves[0].points.back() - end).norm() < 1e-9);
       }
@@ -398,25 +463,24 @@ void test_round_off_asks_at_every_joint()
 // is rounded, and nothing where a curve meets itself.
 void test_round_off_in_doubt()
 {
-  const auto indifferent = [](const Vector&, double, const std::vector<const Polyline*>&) { return 0.; };
-  const auto fond_of_arcs = [](const Vector& center, double, const std::vector<const Polyline*>& lines) {
-    return -distance_to(center, lines);
-  };
+  const auto indifferent = [](const Vector& center, const std::vector<Polyline>&) { return Drawn_joint{center, 0.}; };
+  const auto fond_of_arcs = [](const Vector& center, const std::vector<Polyline>&) { return Drawn_joint{center, -1.}; };
+  Progress progress(uninterrupted);
   const Vector middle(0., 0., 0.), left(-20., 0., 0.);
   for (double turn : {0.5, 0.7, 0.9, 1.5, 2.5})
   {
     const Vector right = 20. * Vector(std::cos(turn), std::sin(turn), 0.);
     Curve_network network = network_of({straight(left, middle), straight(middle, right)});
-    Curve_end_joiner(network, options).round_off(indifferent, 0.1);
+    Curve_end_joiner(network, options).round_off(indifferent, 0.1, progress);
     assert(living(network).size() == (turn < 0.8 ? 1u : 2u));
     Curve_network fork =
       network_of({straight(left, middle), straight(middle, right), straight(middle, Vector(0., 0., 20.))});
-    Curve_end_joiner(fork, options).round_off(fond_of_arcs, 0.1);
+    Curve_end_joiner(fork, options).round_off(fond_of_arcs, 0.1, progress);
     assert(living(fork).size() == 3);
   }
   Curve_network loop = network_of(
     {straight(middle, left) + straight(left, Vector(-20., 20., 0.)) + straight(Vector(-20., 20., 0.), middle)});
-  Curve_end_joiner(loop, options).round_off(fond_of_arcs, 0.1);
+  Curve_end_joiner(loop, options).round_off(fond_of_arcs, 0.1, progress);
   assert(loop.curves[0].nodes[0] == loop.curves[0].nodes[1] && loop.curves[0].nodes[0] != no_node);
 }
 
@@ -681,6 +745,7 @@ int main()
   test_ends_that_agree_become_one_corner();
   test_many_corners();
   test_ends_of_a_short_curve_do_not_meet();
+  test_acute_corners();
   test_round_off_asks_at_every_joint();
   test_round_off_in_doubt();
   test_trim_free_ends();

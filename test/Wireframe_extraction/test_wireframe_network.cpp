@@ -5,8 +5,10 @@
 #include <CGAL/Wireframe_extraction/internal/field/contract.h>
 #include <CGAL/Wireframe_extraction/internal/field/polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/fit/fit_network.h>
+#include <CGAL/Wireframe_extraction/internal/network/Curve_end_joiner.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_evidence.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_tracer.h>
+#include <CGAL/Wireframe_extraction/internal/network/Joint_fit.h>
 #include <CGAL/Wireframe_extraction/internal/network/build_network.h>
 
 #include <algorithm>
@@ -108,6 +110,59 @@ Field_points step(double h, std::mt19937& random)
       field.points.push_back(p);
       field.distances.push_back((std::min)(std::hypot(p.y(), p.z()), std::hypot(p.y(), p.z() - h)));
     }
+  return field;
+}
+
+// The edge of a plate from (-12, 0) over its corner at the origin, rounded by `radius`, to (0, 12).
+Polyline rounded_edge(double radius)
+{
+  Polyline edge{Vector(-12., 0., 0.)};
+  for (int k = 0; k <= 200; ++k)
+  {
+    const double angle = 0.5 * CGAL_PI * k / 200.;
+    edge.push_back(Vector(radius * (std::sin(angle) - 1.), radius * (1. - std::cos(angle)), 0.));
+  }
+  edge.push_back(Vector(0., 12., 0.));
+  return edge;
+}
+
+double distance_to(const Polyline& line, const Vector& p)
+{
+  double square = (std::numeric_limits<double>::infinity)();
+  for (std::size_t k = 1; k < line.size(); ++k)
+    square = (std::min)(square, squared_distance_to_segment(p, line[k - 1], line[k]));
+  return std::sqrt(square);
+}
+
+// the plate's upper face, and the side below its edge
+Field_points plate(double radius, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> jitter(-0.4, 0.4);
+  const Polyline edge = rounded_edge(radius);
+  Field_points field;
+  const auto add = [&](const Vector& p) {
+    const double d = distance_to(edge, p);
+    if (d > 4.)
+      return;
+    field.points.push_back(p);
+    field.distances.push_back(d);
+  };
+  for (double x = -11.5; x < 0.; ++x)
+    for (double y = 0.5; y < 12.; ++y)
+    {
+      const Vector p(x + jitter(random), y + jitter(random), 0.);
+      const bool is_cut_off = p.x() > -radius && p.y() < radius && std::hypot(p.x() + radius, p.y() - radius) > radius;
+      if (!is_cut_off)
+        add(p);
+    }
+  const std::vector<double> lengths = arc_lengths(edge);
+  Polyline_walk walk(edge, lengths);
+  for (double s = 0.5; s < lengths.back(); ++s)
+  {
+    const Vector p = walk.advance_to(s);
+    for (double z = -0.5; z > -4.; --z)
+      add(p + (z + jitter(random)) * Vector::UnitZ());
+  }
   return field;
 }
 
@@ -533,6 +588,66 @@ void test_prune_worst_first()
   assert(std::abs(covered - 40.) < 1e-6); // all of the line, once
 }
 
+// Corners and round courses ---------------------------------------------------------------------------
+
+// two straight curves that meet in the origin, where the edge is rounded or not
+Curve_network corner_network()
+{
+  Curve_network network;
+  network.nodes = {Vector(-12., 0., 0.), Vector(0., 0., 0.), Vector(0., 12., 0.)};
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    Network_curve curve;
+    curve.points = straight(network.nodes[k], network.nodes[k + 1]);
+    curve.nodes = {k, k + 1};
+    for (int e = 0; e < 2; ++e)
+    {
+      curve.tips[e].point = network.nodes[k + std::size_t(e)];
+      curve.tips[e].tangent = (e == 0 ? -1. : 1.) * (network.nodes[k + 1] - network.nodes[k]).normalized();
+    }
+    network.curves.push_back(curve);
+  }
+  return network;
+}
+
+// Both courses are fitted before they are compared: an exact field tells a corner from a rounding with a radius of one and
+// a half distances between its points, whatever these are.
+void test_rounded_corners()
+{
+  const std::function<bool(double)> uninterrupted;
+  Progress progress(uninterrupted);
+  Joining_options options;
+  options.noise = 0.01;
+  Extraction_options extraction;
+  for (unsigned seed = 0; seed < 10; ++seed)
+    for (double radius : {0., 1.5, 2., 3.})
+    {
+      std::mt19937 random(seed);
+      const Field_band band = band_of(plate(radius, random));
+      Curve_network network = corner_network();
+      Segment_grid grid;
+      for (std::size_t c = 0; c < network.curves.size(); ++c)
+        grid.add(c, network.curves[c].points);
+      Curve_end_joiner(network, options)
+        .round_off(
+          [&](const Vector& center, const std::vector<Polyline>& lines) {
+            return Joint_fit(band, options.noise, extraction, center, 4., 9., 0.06, grid, lines);
+          },
+          1., progress);
+      std::size_t number_of_curves = 0;
+      double farthest = 0.;
+      for (const Network_curve& curve : network.curves)
+        if (curve.is_alive)
+        {
+          ++number_of_curves;
+          for (const Vector& p : curve.points)
+            farthest = (std::max)(farthest, distance_to(rounded_edge(radius), p));
+        }
+      assert(number_of_curves == (radius > 0. ? 1u : 2u));
+      assert(farthest < 0.05);
+    }
+}
+
 // Cancelling ------------------------------------------------------------------------------------------
 
 // boxes in a row, the points near their edges, with errors
@@ -695,5 +810,6 @@ int main()
   test_prune_keeps_one_of_equal_curves();
   test_prune_at_a_border();
   test_prune_worst_first();
+  test_rounded_corners();
   test_cancelling();
 }

@@ -12,7 +12,9 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CURVE_END_JOINER_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CURVE_END_JOINER_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/network/Corner_merger.h>
+#include <CGAL/Wireframe_extraction/internal/network/Joint_course.h>
 #include <CGAL/Wireframe_extraction/internal/network/Network_editor.h>
 #include <CGAL/Wireframe_extraction/internal/network/Tangency_resolver.h>
 
@@ -32,9 +34,16 @@ namespace internal {
 class Curve_end_joiner : private Network_editor
 {
   // Lengths in r, angles in radians.
-  // How far before a corner a rounded course starts. The first is the least that leaves other points than the node;
-  // the last reaches as far as balls of radius_of_fits, in which the two courses are compared.
-  static constexpr double rounding_reaches[] = {0.7, 1.2, 1.8, 2.5, 3.5, 4.5};
+  // How far before a corner traces may be wrong, or a rounded course starts. The first is the least that leaves other
+  // points than the node; the last reaches beyond balls of radius_of_fits, in which the courses are compared.
+  static constexpr double rounding_reaches[] = {0.7, 1., 1.4, 2., 2.8, 4., 5.6};
+  static constexpr double length_of_joint = 8.; // of each curve, twice what a ball sees of it
+  static constexpr double farthest_corner = 3.; // from where the two were joined, which is as far as traces stop short
+  // with larger errors, in r, a spline that bends explains a corner as well
+  static constexpr double least_noise_without_fits = 0.1;
+  // Where a corner turns much, the loss of a smooth course is at most this share of its loss, if it is not less by the
+  // margin: in a precise field, what one model misses twice as badly is an error of the model, not of the field.
+  static constexpr double most_of_loss = 0.5;
   static constexpr int pieces_of_arc = 10;        // 0.6 at most, where arcs are 6 long: about the step of a trace
   static constexpr double straight_turn = 1e-3;   // less is a straight line, for which the handle is a third
   static constexpr double points_per_length = 2.; // of straight edges, as of traces
@@ -70,6 +79,7 @@ public:
     corners.split_crossings();
     dissolve_smooth_joints();
     bridge_gaps();
+    tangencies.close_acute_corners();
     extend_free_ends();
     dissolve_smooth_joints();
     tangencies.separate_tangent_curves();
@@ -136,18 +146,18 @@ public:
       });
   }
 
-  // Removes joints of two curves where a rounded course explains the field better than a corner:
-  // loss(center, radius, polylines) tells how badly polylines explain it.
-  template <class Loss>
-  void round_off(const Loss& loss, double margin)
+  // Removes joints of two curves where a smooth course explains the field better than a corner: joint_fit(center, polylines)
+  // makes a Joint_fit of what two curves are near the place where they meet.
+  template <class Make_joint_fit>
+  void round_off(const Make_joint_fit& joint_fit, double margin, Progress& progress)
   {
     Incidences incidences = m_network.incidences();
-    for (std::size_t node = 0; node < incidences.size(); ++node)
+    for (std::size_t node = 0; node < incidences.size() && progress.goes_on(); ++node)
     {
       if (incidences[node].size() != 2)
         continue;
       const Curve_end a = incidences[node][0], b = incidences[node][1];
-      if (a.first != b.first && round_joint(a, b, loss, margin))
+      if (a.first != b.first && round_joint(a, b, joint_fit, margin, progress))
         join_ends(a, b, incidences);
     }
   }
@@ -287,42 +297,123 @@ public:
   }
 
 private:
-  // Returns whether the field asks for a rounded course; then the two curves follow it, and only need to be joined.
-  template <class Loss>
-  bool round_joint(const Curve_end& a, const Curve_end& b, const Loss& loss, double margin)
+  // A curve as one sees it from one of its ends: the part that is near, which starts at the end, and the rest.
+  struct Parted_curve
   {
-    Network_curve &first = m_network.curves[a.first], &second = m_network.curves[b.first];
-    const Vector corner = a.second == 0 ? first.points.front() : first.points.back();
-    double best = loss(corner, radius_of_fits, {&first.points, &second.points})
-      + (tip(a).tangent.dot(tip(b).tangent) < -std::cos(m_options.rounded_turn) ? margin : -margin);
-    std::vector<Vector> rounded_first, rounded_second;
-    for (double reach : rounding_reaches)
+    std::vector<Vector> near, far;
+
+    Parted_curve(const std::vector<Vector>& points, int end)
     {
-      const std::vector<Vector> head = cut_back(first.points, a.second, reach),
-                                tail = cut_back(second.points, b.second, reach);
-      if (head.size() < 2 || tail.size() < 2)
-        break;
-      std::vector<Vector> with_arc = head;
-      append_arc(with_arc, end_direction(head), tail.back(), -end_direction(tail));
-      const double rounded = loss(corner, radius_of_fits, {&with_arc, &tail});
-      if (rounded < best)
+      const Inward_view view(points, end);
+      double length = 0.;
+      for (std::size_t k = 0; k < view.size(); ++k)
       {
-        best = rounded;
-        rounded_first = with_arc;
-        rounded_second = tail;
+        (length < length_of_joint || near.size() < 2 ? near : far).push_back(view[k]);
+        if (k + 1 < view.size())
+          length += (view[k + 1] - view[k]).norm();
       }
     }
-    if (rounded_first.empty())
+  };
+
+  // Returns whether the field asks for a smooth course; then the two curves follow it, and only need to be joined.
+  template <class Make_joint_fit>
+  bool round_joint(const Curve_end& a, const Curve_end& b, const Make_joint_fit& joint_fit, double margin,
+                   Progress& progress)
+  {
+    Network_curve &first = m_network.curves[a.first], &second = m_network.curves[b.first];
+    const Parted_curve one(first.points, a.second), two(second.points, b.second);
+    const std::vector<Vector> head(one.near.rbegin(), one.near.rend()), &tail = two.near;
+    const Vector corner = tail.front();
+    const auto joint = joint_fit(corner, std::vector<std::vector<Vector>>{head, tail});
+    Joint_course smooth = best_rounded_course(joint, head, tail), sharp = best_corner(joint, head, tail);
+    if (smooth.polylines.empty())
       return false;
-    rounded_first.push_back(corner); // stands for the node until the two are one
-    rounded_second.push_back(corner);
-    if (a.second == 0)
-      std::reverse(rounded_first.begin(), rounded_first.end());
-    if (b.second == 0)
-      std::reverse(rounded_second.begin(), rounded_second.end());
-    first.points = rounded_first;
-    second.points = rounded_second;
+    if (m_options.noise < least_noise_without_fits)
+    {
+      improve(smooth, joint.smooth(smooth.polylines[0], progress));
+      improve(sharp, joint.corner(sharp.polylines[0], sharp.polylines[1], progress));
+    }
+    const bool turns_little = tip(a).tangent.dot(tip(b).tangent) < -std::cos(m_options.rounded_turn);
+    const double most = turns_little ? sharp.loss + margin : (std::max)(sharp.loss - margin, most_of_loss * sharp.loss);
+    if (progress.is_cancelled() || !(smooth.loss < most))
+      return false;
+    std::vector<Vector> course = smooth.polylines[0];
+    course.front() = head.front();
+    course.back() = tail.back();
+    // the corner stands for the node until the two are one
+    set_points(first, a.second, one.far, std::vector<Vector>(course.begin(), course.end() - 1), corner);
+    set_points(second, b.second, two.far, {course.back()}, corner);
     return true;
+  }
+
+  static void improve(Joint_course& course, const Joint_course& fitted)
+  {
+    if (fitted.loss < course.loss)
+      course = fitted;
+  }
+
+  // of those where one polyline ends and the other starts, and where they would meet if they went on from a little farther
+  // away, since close to a corner traces go astray
+  template <class Joint>
+  static Joint_course best_corner(const Joint& joint, const std::vector<Vector>& head, const std::vector<Vector>& tail)
+  {
+    Joint_course best{{head, tail}, joint.loss({head, tail})};
+    for (double reach : rounding_reaches)
+    {
+      std::vector<Vector> before = cut_back(head, 1, reach), after = cut_back(tail, 0, reach);
+      if (before.size() < 2 || after.size() < 2)
+        break;
+      const Vector corner = meeting_point(before.back(), end_direction(before), after.back(), end_direction(after));
+      if (!((corner - head.back()).norm() < farthest_corner))
+        continue;
+      before.push_back(corner);
+      after.push_back(corner);
+      std::reverse(after.begin(), after.end());
+      const double loss = joint.loss({before, after});
+      if (loss < best.loss)
+        best = {{before, after}, loss};
+    }
+    return best;
+  }
+
+  // the point nearest to two lines, which are not parallel
+  static Vector meeting_point(const Vector& p, const Vector& u, const Vector& q, const Vector& v)
+  {
+    const double uv = u.dot(v), determinant = 1. - uv * uv;
+    const Vector w = q - p;
+    return 0.5 * (p + q + ((u.dot(w) - uv * v.dot(w)) * u + (uv * u.dot(w) - v.dot(w)) * v) / determinant);
+  }
+
+  // of those that lead over from one polyline to the other by an arc
+  template <class Joint>
+  static Joint_course best_rounded_course(const Joint& joint, const std::vector<Vector>& head,
+                                          const std::vector<Vector>& tail)
+  {
+    Joint_course best{{}, (std::numeric_limits<double>::infinity)()};
+    for (double reach : rounding_reaches)
+    {
+      std::vector<Vector> path = cut_back(head, 1, reach);
+      const std::vector<Vector> end = cut_back(tail, 0, reach);
+      if (path.size() < 2 || end.size() < 2)
+        break;
+      append_arc(path, end_direction(path), end.back(), -end_direction(end));
+      path.insert(path.end(), end.rbegin() + 1, end.rend());
+      const double loss = joint.loss({path});
+      if (loss < best.loss)
+        best = {{path}, loss};
+    }
+    return best;
+  }
+
+  // `far` starts near the end in question, `near` leads to it
+  static void set_points(Network_curve& curve, int end, const std::vector<Vector>& far, const std::vector<Vector>& near,
+                         const Vector& last)
+  {
+    curve.points.assign(far.rbegin(), far.rend());
+    curve.points.insert(curve.points.end(), near.begin(), near.end());
+    curve.points.push_back(last);
+    if (end == 0)
+      std::reverse(curve.points.begin(), curve.points.end());
   }
 
   static Vector end_direction(const std::vector<Vector>& points) { return Inward_view(points, 1).direction(0); }

@@ -34,6 +34,10 @@ class Tangency_resolver : private Network_editor
   // circle of radius 12 r turns so much over the 6 r by which its direction is measured behind the contact), and how
   // much a curve may turn where it touches another one (143 degrees, or it comes back).
   static constexpr double tangential_turn = 0.5, largest_turn = 2.5;
+  // What is left of two curves where they cannot be told apart, in r: curves at 6 degrees are closer than the width of a
+  // trace's corridor for 6 r. It ends nowhere else if it is their last part, and then may turn the more, by 63 degrees:
+  // as far as a trace goes astray where it sees both.
+  static constexpr double longest_stem = 6., most_turn_to_free_stem = 1.1;
   // From an end to the curve it touches, in r: a trace follows its curve until the fits see both.
   static constexpr double reach_of_contact = 0.8, reach_of_contact_per_noise = 2.;
   // Behind the ends, the farthest first: close to them the two curves disturb each other. In r.
@@ -121,6 +125,32 @@ public:
     }
   }
 
+  // Two curves that meet at an acute angle are too close to be told apart before they do. What is found from there on is
+  // one short curve that both lead to: it is taken for the last part of each.
+  void close_acute_corners()
+  {
+    Incidences incidences = m_network.incidences();
+    for (std::size_t c = 0; c < m_network.curves.size(); ++c)
+    {
+      const Network_curve& stem = m_network.curves[c];
+      if (!stem.is_alive || stem.is_closed_without_node() || stem.nodes[0] == stem.nodes[1]
+          || polyline_length(stem.points) > longest_stem)
+        continue;
+      for (int e = 0; e < 2; ++e)
+      {
+        const std::vector<Curve_end> branches = others(incidences[stem.nodes[e]], {c, e});
+        const bool is_free = incidences[stem.nodes[1 - e]].size() == 1;
+        if (!are_branches(branches, {c, e}, is_free ? most_turn_to_free_stem : tangential_turn))
+          continue;
+        for (const Curve_end& branch : branches)
+          lead_along({c, e}, branch);
+        m_network.curves[c].is_alive = false;
+        incidences = m_network.incidences();
+        break;
+      }
+    }
+  }
+
 private:
   struct Candidate
   {
@@ -135,6 +165,35 @@ private:
       if (end.first != one.first)
         result.push_back(end);
     return result;
+  }
+
+  // whether two curves, and nothing else, lead to the stem that starts at that end, both from behind it
+  bool are_branches(const std::vector<Curve_end>& ends, const Curve_end& start, double most_turn) const
+  {
+    if (ends.size() != 2 || ends[0].first == ends[1].first)
+      return false;
+    const Network_curve& stem = m_network.curves[start.first];
+    const Vector onward = (start.second == 0 ? 1. : -1.) * (stem.points.back() - stem.points.front()).normalized();
+    return std::all_of(ends.begin(), ends.end(), [&](const Curve_end& end) {
+      return node_of({end.first, 1 - end.second}) != stem.nodes[1 - start.second]
+        && direction(end).dot(onward) > std::cos(most_turn);
+    });
+  }
+
+  // lets the curve of `end` go on along that of `start`, from there to its other end
+  void lead_along(const Curve_end& start, const Curve_end& end)
+  {
+    std::vector<Vector> stem = m_network.curves[start.first].points;
+    if (start.second == 1)
+      std::reverse(stem.begin(), stem.end());
+    Network_curve& curve = m_network.curves[end.first];
+    if (end.second == 0)
+      std::reverse(curve.points.begin(), curve.points.end());
+    curve.points.insert(curve.points.end(), stem.begin() + 1, stem.end());
+    if (end.second == 0)
+      std::reverse(curve.points.begin(), curve.points.end());
+    curve.nodes[end.second] = node_of({start.first, 1 - start.second});
+    set_tip(curve, end.second);
   }
 
   // the course behind the last part, where other curves disturb it

@@ -13,6 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_TRACED_NETWORK_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Progress.h>
+#include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/field/Contraction.h>
 #include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
@@ -21,6 +22,7 @@
 #include <CGAL/Wireframe_extraction/internal/network/Curve_evidence.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_tracer.h>
 #include <CGAL/Wireframe_extraction/internal/network/Field_explanation.h>
+#include <CGAL/Wireframe_extraction/internal/network/Joint_fit.h>
 #include <CGAL/Wireframe_extraction/internal/network/Surface_evidence.h>
 #include <CGAL/Wireframe_extraction/internal/network/Tracing_options.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
@@ -86,6 +88,8 @@ private:
   static constexpr double gain_of_rounding = 0.5;
   // in r: where corner and round course are compared, errors count that are too small to tell whether there is a curve
   static constexpr double sharp_tolerance = 0.06;
+  // in r: around a joint, the points that judge it, and those that its curves are fitted to
+  static constexpr double radius_of_joint = 4., reach_of_joint = 9.;
   // in r: edges between found nodes, which are shorter than what the tracer follows
   static constexpr double longest_edge = 10.;
 
@@ -150,7 +154,7 @@ private:
       },
       [&] {
         if (is_smooth)
-          round_off(joiner, progress);
+          round_off(joiner, network, progress);
       },
       [&] {
         if (is_smooth)
@@ -170,16 +174,18 @@ private:
     return network;
   }
 
-  // after cancelling, no course is better than a corner
-  void round_off(Curve_end_joiner& joiner, Progress& progress) const
+  void round_off(Curve_end_joiner& joiner, const Curve_network& network, Progress& progress) const
   {
-    const Curve_evidence evidence(m_band, m_contraction.noise, &progress, sharp_tolerance);
+    Segment_grid grid;
+    for (std::size_t c = 0; c < network.curves.size(); ++c)
+      if (network.curves[c].is_alive)
+        grid.add(c, network.curves[c].points);
     joiner.round_off(
-      [&](const Vector& center, double radius, const std::vector<const std::vector<Vector>*>& lines) {
-        return progress.goes_on() ? evidence.loss_around(center, radius, lines)
-                                  : (std::numeric_limits<double>::infinity)();
+      [&](const Vector& center, const std::vector<std::vector<Vector>>& curves) {
+        return Joint_fit(m_band, m_contraction.noise, m_options, center, radius_of_joint, reach_of_joint,
+                         sharp_tolerance, grid, curves);
       },
-      gain_of_rounding * m_options.minimum_evidence);
+      gain_of_rounding * m_options.minimum_evidence, progress);
   }
 
   // after cancelling, none is worth it

@@ -49,6 +49,10 @@ class Curve_type_recognizer
   static constexpr double vertex_reach = 3., most_vertex_deviation = 0.1; // r
   // How firmly the field kept the end of a spline.
   static constexpr double least_spline_deviation = 0.05, spline_deviation_per_noise = 2.;
+  // In stations: a shorter primitive keeps its ends, or too little would be left of what shows it (a circle needs four).
+  static constexpr std::size_t least_left_of_primitive = 5;
+  // r, along a smooth curve that is cut into a primitive and a spline: half of what a station stands for
+  static constexpr double deviation_of_cut = 0.5 * Curve_stations::spacing;
   // further than from one station to the next but one, no vertex goes by itself
   static constexpr double farthest_move = 2. * Curve_stations::spacing;
   // of the significance: what is less likely is refuted beyond doubt
@@ -152,6 +156,7 @@ private:
     if (curve.is_loop() && result.pieces.size() == 1 && result.pieces[0].is_line())
       result.pieces[0].fit.reset();
     merge_splines(result);
+    lengthen_splines(result);
     return result;
   }
 
@@ -193,6 +198,28 @@ private:
       pieces.erase(pieces.begin());
     }
     candidate.pieces = pieces;
+  }
+
+  // A primitive may reach as far into the bend that follows as the noise allows; the spline that was fitted to the bend
+  // leads over from it only where both are the same. So a spline takes over the last station of its neighbors.
+  static void lengthen_splines(Candidate& candidate)
+  {
+    const std::size_t n = candidate.pieces.size();
+    for (std::size_t i = candidate.is_closed ? 0 : 1; n > 1 && i < n; ++i)
+    {
+      Curve_piece &before = candidate.pieces[(i + n - 1) % n], &after = candidate.pieces[i];
+      if (bool(before.fit) == bool(after.fit))
+        continue;
+      Curve_piece& primitive = before.fit ? before : after;
+      if (primitive.size <= least_left_of_primitive)
+        continue;
+      --primitive.size;
+      ++(before.fit ? after : before).size;
+      if (before.fit)
+        after.first = (after.first + candidate.stations.size() - 1) % candidate.stations.size();
+      else
+        after.first = (after.first + 1) % candidate.stations.size();
+    }
   }
 
   std::size_t add_vertex(const Vector& place)
@@ -372,9 +399,17 @@ private:
       const double deviation = (std::max)(+least_spline_deviation, spline_deviation_per_noise * m_noise);
       for (int e = 0; e < 2; ++e)
       {
-        const std::size_t vertex = candidate.vertices[i + std::size_t(e)];
-        network.spline_ends.push_back(
-          {vertex, m_anchors[vertex], (e == 0 ? stations[0] : stations[stations.size() - 1]).tangent, deviation});
+        const std::size_t vertex = candidate.vertices[i + std::size_t(e)], n = candidate.pieces.size(),
+                          neighbor = e == 0 ? (i + n - 1) % n : (i + 1) % n;
+        Primitive_network_fit::Spline_end end{
+          vertex, m_anchors[vertex], (e == 0 ? stations[0] : stations[stations.size() - 1]).tangent, deviation};
+        if (is_cut(candidate, e == 0 ? i : neighbor) && candidate.pieces[neighbor].fit)
+        {
+          // the primitive tells the direction, the cut the place: there, no other curve holds the vertex
+          end.tangent = candidate.pieces[neighbor].fit->curve.tangent(m_anchors[vertex]);
+          end.along = deviation_of_cut;
+        }
+        network.spline_ends.push_back(end);
       }
     }
   }

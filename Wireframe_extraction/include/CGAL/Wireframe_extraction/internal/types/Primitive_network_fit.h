@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -44,6 +45,7 @@ public:
     std::size_t vertex;
     Vector position, tangent;
     double deviation;
+    double along = (std::numeric_limits<double>::infinity)(); // deviation along the tangent
   };
   // two edges that go on into each other at a vertex
   struct Tangency
@@ -276,8 +278,11 @@ private:
         add_pull(problem, vertices[v], Eigen::Matrix3d(pull_on_vertices * Eigen::Matrix3d::Identity()), anchors[v]);
     for (const Spline_end& end : spline_ends)
       if (problem.HasParameterBlock(vertices[end.vertex].data()))
+      {
+        const Eigen::Matrix3d along = end.tangent * end.tangent.transpose();
         add_pull(problem, vertices[end.vertex],
-                 (Eigen::Matrix3d::Identity() - end.tangent * end.tangent.transpose()) / end.deviation, end.position);
+                 (Eigen::Matrix3d::Identity() - along) / end.deviation + along / end.along, end.position);
+      }
     if (weight > 0.)
       for (std::size_t i = 0; i < constraints.size(); ++i)
       {
