@@ -418,7 +418,7 @@ void test_progress()
   assert(shares.size() >= 8); // every stage, at least
   assert(std::is_sorted(shares.begin(), shares.end()));
   assert(shares.front() > 0. && shares.back() == 1.);
-  assert(report.seconds.size() == 9);
+  assert(report.seconds.size() == 10);
   for (const auto& stage : report.seconds)
     assert(!stage.first.empty() && stage.second >= 0.);
 }
