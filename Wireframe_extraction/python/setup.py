@@ -14,6 +14,7 @@ import sys
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
+from setuptools.command.egg_info import manifest_maker
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -62,6 +63,9 @@ class Cmake_build(build_ext):
         for path in files:
             shutil.copy2(path, target)
 
+
+# what source archives have, named beside this file
+manifest_maker.template = str(pathlib.Path(__file__).with_name("MANIFEST.in"))
 
 # not build/, which is that of CMake
 setup(version=version(), ext_modules=[Extension("wireframe_extraction._core", [])], cmdclass={"build_ext": Cmake_build},
