@@ -180,18 +180,25 @@ private:
     });
   }
 
+  // appends a polyline that starts where the curve has that end, but for its first point
+  void go_on_along(const Curve_end& end, const std::vector<Vector>& polyline)
+  {
+    std::vector<Vector>& points = m_network.curves[end.first].points;
+    if (end.second == 0)
+      std::reverse(points.begin(), points.end());
+    points.insert(points.end(), polyline.begin() + 1, polyline.end());
+    if (end.second == 0)
+      std::reverse(points.begin(), points.end());
+  }
+
   // lets the curve of `end` go on along that of `start`, from there to its other end
   void lead_along(const Curve_end& start, const Curve_end& end)
   {
     std::vector<Vector> stem = m_network.curves[start.first].points;
     if (start.second == 1)
       std::reverse(stem.begin(), stem.end());
+    go_on_along(end, stem);
     Network_curve& curve = m_network.curves[end.first];
-    if (end.second == 0)
-      std::reverse(curve.points.begin(), curve.points.end());
-    curve.points.insert(curve.points.end(), stem.begin() + 1, stem.end());
-    if (end.second == 0)
-      std::reverse(curve.points.begin(), curve.points.end());
     curve.nodes[end.second] = node_of({start.first, 1 - start.second});
     set_tip(curve, end.second);
   }
@@ -252,17 +259,10 @@ private:
   // appends the polyline to the curve of `a`, and gives its end and that of the curve of `b` a node of their own
   void lead(const Curve_end& a, const Curve_end& b, const std::vector<Vector>& between)
   {
-    Network_curve& curve = m_network.curves[a.first];
     const std::size_t node = m_network.nodes.size();
     m_network.nodes.push_back(between.back());
-    std::vector<Vector> points = curve.points;
-    if (a.second == 0)
-      std::reverse(points.begin(), points.end());
-    points.insert(points.end(), between.begin() + 1, between.end());
-    if (a.second == 0)
-      std::reverse(points.begin(), points.end());
-    curve.points = points;
-    curve.nodes[a.second] = node;
+    go_on_along(a, between);
+    m_network.curves[a.first].nodes[a.second] = node;
     m_network.curves[b.first].nodes[b.second] = node;
   }
 };
