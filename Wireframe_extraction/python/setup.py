@@ -64,8 +64,8 @@ class Cmake_build(build_ext):
             shutil.copy2(path, target)
 
 
-# what source archives have, named beside this file
-manifest_maker.template = str(pathlib.Path(__file__).with_name("MANIFEST.in"))
+# what source archives have, named beside this file; setuptools lists the template itself, and refuses absolute paths
+manifest_maker.template = os.path.relpath(pathlib.Path(__file__).resolve().with_name("MANIFEST.in"))
 
 # not build/, which is that of CMake
 setup(version=version(), ext_modules=[Extension("wireframe_extraction._core", [])], cmdclass={"build_ext": Cmake_build},
