@@ -7,7 +7,9 @@
 #include <CGAL/Wireframe_extraction/build_topological_graph.h>
 #include <CGAL/Wireframe_extraction/contract_skeleton.h>
 #include <CGAL/Wireframe_extraction/detect_corners.h>
+#include <CGAL/Wireframe_extraction/estimate_distance_field.h>
 #include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
+#include <CGAL/Wireframe_extraction/find_doubts.h>
 #include <CGAL/Wireframe_extraction/fit_curves.h>
 #include <CGAL/Wireframe_extraction/refine_field.h>
 #include <CGAL/Wireframe_extraction/segment_curves.h>
@@ -87,12 +89,12 @@ struct Counting_visitor : WE::Default_visitor
 };
 
 // the edge of a roof: its points, and their distances to the ridge
-Cloud roof(double height = 0.5)
+Cloud roof(double height = 0.5, int half_width = 15)
 {
   Cloud cloud;
   const double r = 0.05;
   for (int i = 0; i < 40; ++i)
-    for (int j = -15; j <= 15; ++j)
+    for (int j = -half_width; j <= half_width; ++j)
       cloud.emplace_back(Point(r * i, r * j, -height * r * std::abs(j)), r * std::abs(j) * std::hypot(1., height));
   return cloud;
 }
@@ -162,6 +164,80 @@ void test_clouds()
   assert(report.status == Status::NO_FEATURE && !report.message.empty());
 }
 
+// What the whole extraction refuses, with its reason, the stages that see the cloud refuse, with the same.
+void test_same_refusal(const Cloud& cloud, const std::string& text)
+{
+  Report whole, part;
+  assert(CGAL::extract_wireframe(cloud, WP::extraction_report(std::ref(whole))).is_empty());
+  assert(whole.status == Status::INVALID_INPUT && says(whole, text));
+  const auto is_same = [&] {
+    const bool result = part.status == whole.status && part.message == whole.message;
+    spoil(part);
+    return result;
+  };
+  assert(WE::select_skeleton(cloud, WP::extraction_report(std::ref(part))).is_empty() && is_same());
+  assert(WE::estimate_sampling_distance(cloud, WP::extraction_report(std::ref(part))) == 0. && is_same());
+}
+
+// the same of clouds without distances
+void test_same_refusal(const std::vector<Point>& points, const std::string& text)
+{
+  Report whole, part;
+  assert(CGAL::extract_wireframe(points, WP::extraction_report(std::ref(whole))).is_empty());
+  assert(whole.status == Status::INVALID_INPUT && says(whole, text));
+  assert(WE::estimate_distance_field(points, WP::extraction_report(std::ref(part))).is_empty());
+  assert(part.status == whole.status && part.message == whole.message);
+  spoil(part);
+  assert(WE::estimate_sampling_distance(points, WP::extraction_report(std::ref(part))) == 0.);
+  assert(part.status == whole.status && part.message == whole.message);
+}
+
+void test_one_rule()
+{
+  Cloud line, unit = roof(), constant = roof(), cut_off = roof(0.5, 3), flat = roof();
+  std::vector<Point> bare_line;
+  for (int i = 0; i < 500; ++i)
+  {
+    line.emplace_back(Point(0.1 * i, 0.2 * i, 0.3 * i), 0.01 * (i % 7));
+    bare_line.push_back(line.back().first);
+  }
+  for (std::size_t i = 0; i < unit.size(); ++i)
+  {
+    unit[i].second *= 1000.;
+    constant[i].second = 0.05;
+    flat[i].second *= 0.01;
+  }
+  for (auto& sample : cut_off)
+    sample.second = (std::min)(sample.second, 0.06);
+  test_same_refusal(line, "one line");
+  test_same_refusal(bare_line, "one line");
+  test_same_refusal(unit, "another unit");
+  test_same_refusal(flat, "another unit");
+  test_same_refusal(constant, "all distances are");
+  test_same_refusal(cut_off, "cut off");
+  // a sampling distance that does not fit
+  Report report;
+  for (const double r : {0.05 * 30., 0.05 / 30.})
+  {
+    const auto np = WP::sampling_distance(r).extraction_report(std::ref(report));
+    assert(WE::select_skeleton(roof(), np).is_empty() && report.status == Status::INVALID_INPUT);
+    assert(says(report, "does not fit the points"));
+    spoil(report);
+    std::vector<Point> points;
+    for (const auto& sample : roof())
+      points.push_back(sample.first);
+    assert(WE::estimate_distance_field(points, np).is_empty() && report.status == Status::INVALID_INPUT);
+    assert(says(report, "does not fit the points"));
+  }
+  // what is only odd is told once, however often the report is used
+  Cloud odd = roof();
+  for (auto& sample : odd)
+    sample.second *= 0.5;
+  for (int i = 0; i < 2; ++i)
+    assert(!WE::select_skeleton(odd, WP::extraction_report(std::ref(report))).is_empty());
+  assert(report.warnings.size() == 1 && report.sampling_distance > 0.);
+}
+
 // every stage refuses parameters out of their ranges, and leaves what it would have changed
 void test_parameters()
 {
@@ -190,6 +266,10 @@ void test_parameters()
   assert(!wireframe.is_empty());
   assert(WE::fit_curves(changed, graph, bad).is_empty() && refused("fitting_radius"));
   assert(WE::recognize_curve_types(changed, wireframe, bad).is_empty() && refused("fitting_radius"));
+  auto doubted = wireframe;
+  assert(!WE::find_doubts(changed, doubted, bad) && refused("fitting_radius"));
+  assert(WE::find_doubts(changed, doubted, WP::extraction_report(std::ref(report))));
+  assert(report.status == Status::SUCCESS && report.message.empty());
   assert(!WE::recognize_curve_types(changed, wireframe, WP::extraction_report(std::ref(report))).is_empty());
   assert(report.status == Status::SUCCESS && report.message.empty());
 }
@@ -216,6 +296,12 @@ void test_cancelling()
   assert(report.status == Status::SUCCESS);
   (void)WE::fit_curves(skeleton, graph, stop);
   assert(report.status == Status::CANCELLED);
+  auto wireframe = WE::fit_curves(skeleton, graph);
+  assert(!WE::recognize_curve_types(skeleton, wireframe).is_empty());
+  assert(WE::recognize_curve_types(skeleton, wireframe, stop).is_empty() && report.status == Status::CANCELLED);
+  assert(!WE::find_doubts(skeleton, wireframe, stop) && report.status == Status::CANCELLED);
+  assert(WE::find_doubts(skeleton, wireframe, WP::extraction_report(std::ref(report))));
+  assert(report.status == Status::SUCCESS && report.message.empty());
 }
 
 int main()
@@ -223,6 +309,7 @@ int main()
   test_lists_are_disjoint();
   test_visitors();
   test_clouds();
+  test_one_rule();
   test_parameters();
   test_cancelling();
   return 0;

@@ -220,9 +220,11 @@ void test_sampling_distance_of_few_points()
   assert(WE::estimate_sampling_distance(std::vector<Point>()) == 0.);
   assert(WE::estimate_sampling_distance(std::vector<Point>(1, Point(1, 2, 3))) == 0.);
   assert(WE::estimate_sampling_distance(std::vector<Point>(1000, Point(0.1, 0.2, 0.3))) == 0.);
-  // two points tell the scale at least
-  const double two = WE::estimate_sampling_distance(std::vector<Point>{Point(0, 0, 0), Point(0, 0, 3)});
-  assert(two > 1. && two < 9.);
+  assert(WE::estimate_sampling_distance(std::vector<Point>{Point(0, 0, 0), Point(0, 0, 3)}) == 0.);
+  // three points tell the scale at least
+  const double three =
+    WE::estimate_sampling_distance(std::vector<Point>{Point(0, 0, 0), Point(0, 0, 3), Point(0, 3, 0)});
+  assert(three > 1. && three < 9.);
   Random random(1);
   std::vector<Point> ten;
   for (int i = 0; i < 10; ++i)
@@ -279,7 +281,7 @@ void test_skeleton_thresholds()
   // in binary fractions: what lies on a threshold is not below it
   Cloud cloud;
   for (int i = 0; i < 16; ++i)
-    cloud.emplace_back(Point(i, i % 3, i % 5), 0.125 * (15 - i));
+    cloud.emplace_back(Point(0.25 * i, 0.25 * (i % 3), 0.25 * (i % 5)), 0.125 * (15 - i));
   const Skeleton skeleton = WE::select_skeleton(cloud, WP::sampling_distance(0.25));
   assert(skeleton.size() == 3);         // 0, 0.125, 0.25, but not 0.375
   assert(skeleton.support_size() == 6); // up to 0.625, but not 0.75

@@ -13,11 +13,9 @@
 #define CGAL_WIREFRAME_EXTRACTION_ESTIMATE_SAMPLING_DISTANCE_H
 
 #include <CGAL/Wireframe_extraction/internal/cloud/Range_source.h>
-#include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/cloud_access.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
-#include <CGAL/Wireframe_extraction/internal/options/points_in_memory.h>
-#include <CGAL/Wireframe_extraction/internal/pipeline/survey_for_stage.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/measured_sampling_distance.h>
 
 namespace CGAL {
 namespace Wireframe_extraction {
@@ -73,8 +71,9 @@ only about 0.55 r.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the sampling distance in the cloud's unit; 0 if fewer than two different points exist, or if there are invalid
-points that are not to be skipped. The report says which.
+\return the sampling distance in the cloud's unit; 0 if the cloud is one that `extract_wireframe()` refuses: without points,
+with invalid ones that are not to be skipped, with all points at one place or on one line, or with distances that do not fit the
+points. The report says which.
 
 Complexity: O(n log n) for n points.
 */
@@ -85,18 +84,8 @@ template <class PointRange, class NamedParameters = CGAL::parameters::Default_na
   typedef internal::Cloud_access<PointRange, NamedParameters> Access;
   const Access access(np);
   internal::Range_source<PointRange, Access> source(points, access);
-  internal::Surveyed_cloud cloud(source, internal::points_in_memory(np));
   internal::Stage_call call(np);
-  if (!internal::survey_for_stage(cloud, call, np))
-    return 0.;
-  const double sampling_distance = cloud.scale().sampling_distance;
-  if (!cloud.error().empty() || !(sampling_distance > 0.))
-  {
-    call.fail(Wireframe_extraction_report::Status::INVALID_INPUT,
-              cloud.error().empty() ? "there are fewer than two different points" : cloud.error());
-    return 0.;
-  }
-  return sampling_distance;
+  return internal::measured_sampling_distance(source, call, np);
 }
 
 } // namespace Wireframe_extraction

@@ -94,8 +94,9 @@ points below `support_distance`, which later stages fit to.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the skeleton; it is empty if no point lies below the threshold, if all points coincide, if there are invalid
-points that are not to be skipped, or if a parameter is out of its range. The report says which.
+\return the skeleton; it is empty if no point lies below the threshold, if the cloud is one that `extract_wireframe()` refuses:
+without points, with invalid ones that are not to be skipped, with all points at one place or on one line, with distances that do
+not fit the points or are cut off too near the features; or if a parameter is out of its range. The report says which.
 
 Complexity: O(n) for n points and O(m log m) for the m points kept, after the estimation of the sampling distance.
 */

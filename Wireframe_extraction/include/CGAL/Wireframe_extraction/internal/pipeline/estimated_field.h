@@ -15,15 +15,12 @@
 #include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
 #include <CGAL/Wireframe_extraction/Distance_field.h>
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
-#include <CGAL/Wireframe_extraction/internal/cloud/Cloud_scale.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
-#include <CGAL/Wireframe_extraction/internal/cloud/input_checks.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/estimate_distances.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/survey_for_stage.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
-#include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
 #include <cstddef>
@@ -42,23 +39,9 @@ Distance_field estimated_field(Distance_cloud_source& source, Stage_call& call, 
   typedef Wireframe_extraction_report::Status Status;
   Distance_field field;
   Surveyed_cloud cloud(source, (std::numeric_limits<std::size_t>::max)());
-  if (!survey_for_stage(cloud, call, np))
+  if (!survey_for_stage(cloud, call, given_sampling_distance(np), np))
     return field;
-  const double given = CGAL::to_double(
-    CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::sampling_distance), 0.));
-  if (!check_dimension(cloud, call.report()))
-  {
-    call.fail(Status::INVALID_INPUT, call.report().message);
-    return field;
-  }
-  const Cloud_scale scale = cloud.scale();
-  if (!check_scale(cloud, scale, given, call.report()))
-  {
-    call.fail(Status::INVALID_INPUT, call.report().message);
-    return field;
-  }
-  const double unit = given > 0. ? given : scale.sampling_distance;
-  call.report().sampling_distance = unit;
+  const double unit = call.report().sampling_distance;
   if (!estimate_distances(cloud, unit, call.options().minimum_fold, call.progress(), field))
     return Distance_field();
   report_field(field, call.report());

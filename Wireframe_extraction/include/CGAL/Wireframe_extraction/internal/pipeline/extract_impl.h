@@ -38,6 +38,7 @@
 #include <CGAL/Wireframe_extraction/internal/pipeline/estimate_distances.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/extract.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/find_doubts.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/find_unit.h>
 #include <CGAL/Wireframe_extraction/internal/types/recognize.h>
 
 #include <CGAL/Real_timer.h>
@@ -140,18 +141,10 @@ private:
 
   bool find_scale()
   {
-    if (!check_dimension(*m_cloud, m_report))
-      return fail(Report::Status::INVALID_INPUT, m_report.message);
-    const double given = m_request.sampling_distance;
-    Cloud_scale scale;
-    if (!stage("sampling distance", 0.06, [&] { scale = m_cloud->scale(); }) || !is_readable())
+    const auto run = [&](const auto& measure) { return stage("sampling distance", 0.06, measure); };
+    if (!find_unit(*m_cloud, m_request.sampling_distance, m_options, m_report, run))
       return false;
-    const double unit = given > 0. ? given : scale.sampling_distance;
-    if (!check_scale(*m_cloud, scale, given, m_report)
-        || (m_cloud->has_distances() && !check_truncation(*m_cloud, unit, m_options, m_report)))
-      return fail(Report::Status::INVALID_INPUT, m_report.message);
-    m_report.sampling_distance = unit;
-    m_visitor.sampling_distance_estimated(unit);
+    m_visitor.sampling_distance_estimated(m_report.sampling_distance);
     return true;
   }
 

@@ -22,10 +22,6 @@
 #include <CGAL/Wireframe_extraction/internal/pipeline/survey_for_stage.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
-#include <CGAL/number_utils.h>
-
-#include <cmath>
-
 namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
@@ -35,18 +31,10 @@ template <class NamedParameters>
 Skeleton_data selected_skeleton(Distance_cloud_source& source, Stage_call& call, const NamedParameters& np)
 {
   typedef Wireframe_extraction_report::Status Status;
-  const double given = CGAL::to_double(
-    CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::sampling_distance), 0.));
   Surveyed_cloud cloud(source, points_in_memory(np));
-  if (!survey_for_stage(cloud, call, np))
+  if (!survey_for_stage(cloud, call, given_sampling_distance(np), np))
     return Skeleton_data();
-  const double unit = given == 0. ? cloud.scale().sampling_distance : given;
-  if (!(unit > 0.) || !std::isfinite(unit))
-  {
-    call.fail(Status::INVALID_INPUT,
-              given == 0. ? "all points coincide" : "the sampling distance must be positive and finite");
-    return Skeleton_data();
-  }
+  const double unit = call.report().sampling_distance;
   Skeleton_data skeleton = select_skeleton(cloud, unit, call.options());
   if (call.options().use_creases && skeleton.size() > 0)
     select_surroundings(cloud, call.options(), skeleton);
