@@ -538,4 +538,5 @@ int main()
   test_truncated_fields();
   test_points_far_away();
   test_odd_parameters();
+  return 0;
 }

@@ -755,4 +755,5 @@ int main()
   test_arc_between_free_ends();
   test_extension_of_free_ends();
   test_gaps();
+  return 0;
 }

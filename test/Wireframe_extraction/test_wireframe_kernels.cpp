@@ -516,4 +516,5 @@ int main()
   test_cancelling();
   test_paper_defaults();
   test_defaults_are_defaults();
+  return 0;
 }

@@ -812,4 +812,5 @@ int main()
   test_prune_worst_first();
   test_rounded_corners();
   test_cancelling();
+  return 0;
 }

@@ -615,4 +615,5 @@ int main()
   test_normals();
   test_source();
   test_cancelling();
+  return 0;
 }

@@ -269,4 +269,5 @@ int main()
   for (const char* name : {"box", "frustum", "wedge_30", "wedge_60", "u_channel"})
     for (Sampling sampling : {Sampling::POISSON, Sampling::UNIFORM})
       check_with_errors(name, sampling);
+  return 0;
 }

@@ -1070,4 +1070,5 @@ int main()
   test_fit_of_a_box();
   test_fixed_corners();
   test_fit_of_an_own_graph();
+  return 0;
 }

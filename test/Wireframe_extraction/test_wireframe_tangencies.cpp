@@ -147,4 +147,5 @@ int main()
   test_fork_is_left_alone();
   test_crossing_is_left_alone();
   test_ends_at_a_passing_curve();
+  return 0;
 }
