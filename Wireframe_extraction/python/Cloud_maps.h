@@ -1,4 +1,4 @@
-// NumPy arrays as a range with property maps, for the stages.
+// A NumPy array as a range with a property map, for stages that take one.
 
 #ifndef WIREFRAME_EXTRACTION_PYTHON_CLOUD_MAPS_H
 #define WIREFRAME_EXTRACTION_PYTHON_CLOUD_MAPS_H
@@ -10,8 +10,6 @@
 #include <boost/range/counting_range.hpp>
 
 #include <cstddef>
-#include <memory>
-#include <vector>
 
 namespace python {
 
@@ -27,23 +25,6 @@ struct Point_at
   friend Point get(const Point_at& map, std::size_t i)
   {
     return Point(map.points(i, 0), map.points(i, 1), map.points(i, 2));
-  }
-};
-
-// of what was given, or estimated
-struct Distance_at
-{
-  typedef std::size_t key_type;
-  typedef double value_type;
-  typedef double reference;
-  typedef boost::readable_property_map_tag category;
-
-  Number_view given;
-  std::shared_ptr<const std::vector<double>> estimated;
-
-  friend double get(const Distance_at& map, std::size_t i)
-  {
-    return map.estimated ? (*map.estimated)[i] : map.given(i);
   }
 };
 

@@ -1,5 +1,6 @@
 // The files of CAD programs: a module of its own, so that only who writes one loads OpenCASCADE.
 
+#include "messages.h"
 #include "types.h"
 #include "units.h"
 
@@ -34,7 +35,7 @@ void write_cad(const python::Wireframe& wireframe, const std::string& path, cons
     : extension == ".step" || extension == ".stp" ? CGAL::IO::write_wireframe_step(path, wireframe, np)
                                                   : CGAL::IO::write_wireframe_iges(path, wireframe, np);
   if (!is_written)
-    throw py::value_error(error);
+    python::throw_value_error(error);
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/curve_tools.h>
 
+#include <boost/iterator/function_output_iterator.hpp>
 #include <pybind11/stl.h>
 
 #include <array>
@@ -67,21 +68,29 @@ py::array curvature_at(const Curve_handle& handle, const Double_array& parameter
   return to_array(std::move(values));
 }
 
-// by step if there is one, else by count
+// By step if there is one, else by count. What writes the points is what can be stopped: each takes microseconds.
 py::array sample(const Curve_handle& handle, double step, std::size_t count)
 {
+  struct Stopped
+  {};
   std::vector<double> coordinates;
-  {
-    const py::gil_scoped_release release;
-    std::vector<Point> points;
-    if (step > 0.)
-      handle.spline().sample_by_distance(step, std::back_inserter(points));
-    else
-      handle.spline().sample_by_count(count, std::back_inserter(points));
-    coordinates.reserve(3 * points.size());
-    for (const Point& p : points)
+  const auto work = [&](Work_state& state) {
+    const auto take = boost::make_function_output_iterator([&](const Point& p) {
+      if (state.is_stopped())
+        throw Stopped();
       append(p, coordinates);
-  }
+    });
+    try
+    {
+      if (step > 0.)
+        handle.spline().sample_by_distance(step, take);
+      else
+        handle.spline().sample_by_count(count, take);
+    }
+    catch (const Stopped&)
+    {}
+  };
+  run_beside(work, 1, py::none());
   return to_rows(std::move(coordinates));
 }
 

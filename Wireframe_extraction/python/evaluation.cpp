@@ -1,6 +1,7 @@
 // The function of the module that compares two wireframes.
 
 #include "bindings.h"
+#include "messages.h"
 
 #include <Wireframe_evaluation/chain_curves.h>
 #include <Wireframe_evaluation/evaluate_wireframe.h>
@@ -64,7 +65,7 @@ py::dict evaluate(const std::string& truth, bool is_truth_json, const std::strin
   }
   catch (const evaluation::Format_error& error)
   {
-    throw py::value_error(is_truth_json ? error.what() : truth + ": " + error.what());
+    throw_value_error(is_truth_json ? error.what() : truth + ": " + error.what());
   }
   return to_dict(scores);
 }

@@ -2,6 +2,7 @@
 
 #include "arrays.h"
 #include "bindings.h"
+#include "messages.h"
 #include "units.h"
 
 #include <CGAL/Wireframe_extraction/IO/read_wireframe_json.h>
@@ -22,7 +23,7 @@ namespace parameters = CGAL::Wireframe_extraction::parameters;
 void check(bool is_well, const std::string& error)
 {
   if (!is_well)
-    throw py::value_error(error);
+    throw_value_error(error);
 }
 
 std::shared_ptr<Wireframe> read(const std::string& path)
@@ -76,9 +77,9 @@ void bind_files(py::module_& module)
   const py::call_guard<py::gil_scoped_release> without_lock;
   module.def("read", &read, without_lock);
   module.def("write", &write, without_lock);
-  module.def("from_json", &from_json);
-  module.def("to_json", &to_json);
-  module.def("to_svg", &to_svg);
+  module.def("from_json", &from_json, without_lock);
+  module.def("to_json", &to_json, without_lock);
+  module.def("to_svg", &to_svg, without_lock);
 }
 
 } // namespace python

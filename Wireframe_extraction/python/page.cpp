@@ -2,6 +2,7 @@
 
 #include "arrays.h"
 #include "bindings.h"
+#include "messages.h"
 
 #include <write_page.h>
 
@@ -32,10 +33,11 @@ std::string page(const Wireframe& wireframe, const Double_array& samples, const 
   tool::Cloud cloud;
   for (py::ssize_t i = 0; i < samples.shape(0); ++i)
     cloud.emplace_back(Point(samples.at(i, 0), samples.at(i, 1), samples.at(i, 2)), samples.at(i, 3));
+  const py::gil_scoped_release release;
   std::ostringstream stream;
   std::string error;
   if (!tool::write_page(stream, texts, cloud, {}, wireframe, error))
-    throw py::value_error(error);
+    throw_value_error(error);
   return stream.str();
 }
 

@@ -3,9 +3,12 @@
 #ifndef WIREFRAME_EXTRACTION_PYTHON_REPORT_DICT_H
 #define WIREFRAME_EXTRACTION_PYTHON_REPORT_DICT_H
 
+#include "messages.h"
 #include "types.h"
 
 #include <pybind11/stl.h>
+
+#include <string>
 
 namespace python {
 
@@ -23,11 +26,14 @@ inline const char* name_of(Report::Status status)
 inline pybind11::dict report_dict(const Report& report)
 {
   pybind11::dict seconds, result;
+  pybind11::list warnings;
+  for (const std::string& warning : report.warnings)
+    warnings.append(to_text(warning));
   for (const auto& stage : report.seconds)
     seconds[stage.first.c_str()] = stage.second;
   result["status"] = name_of(report.status);
-  result["message"] = report.message;
-  result["warnings"] = report.warnings;
+  result["message"] = to_text(report.message);
+  result["warnings"] = warnings;
   result["number_of_points"] = report.number_of_points;
   result["number_of_skipped_points"] = report.number_of_skipped_points;
   result["number_of_duplicates"] = report.number_of_duplicates;

@@ -87,12 +87,12 @@ bool can_be_read_once_only(const std::string& filename)
 }
 
 // returns what went wrong
-std::string take(CGAL::IO::Distance_cloud_file&& file, Cloud_in_memory& result)
+std::string take(CGAL::IO::Distance_cloud_file&& file, const Input& input, Cloud_in_memory& result)
 {
   typedef Input_cloud::Sample Sample;
-  file.read([&result](const Sample* first, const Sample* beyond) {
+  file.read([&](const Sample* first, const Sample* beyond) {
     result.samples.insert(result.samples.end(), first, beyond);
-    return true;
+    return !input.callback || input.callback(0.); // nobody knows how much is left
   });
   result.skipped = file.number_of_skipped();
   result.text = file.assumption();
@@ -145,9 +145,9 @@ std::unique_ptr<Input_cloud> open_input(const Input& input, std::string& error)
   if (input.are_patches)
     error = read_patches(input, *result, np.number_of_skipped(&result->skipped));
   else if (input.has_distances)
-    error = take(CGAL::IO::Distance_cloud_file(input.files.front(), input.distances, np), *result);
+    error = take(CGAL::IO::Distance_cloud_file(input.files.front(), input.distances, np), input, *result);
   else
-    error = take(CGAL::IO::Distance_cloud_file(input.files.front(), np), *result);
+    error = take(CGAL::IO::Distance_cloud_file(input.files.front(), np), input, *result);
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include <CGAL/Wireframe_extraction/policies.h>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -38,6 +39,8 @@ struct Input
   double sampling_distance = 0., minimum_fold = 20., maximum_facet_fold = 50.;
   int maximum_number_of_points = 200000;
   bool use_boundaries = false;
+  // is asked with the share that is done whether to go on while a mesh is sampled, or what can be read only once is read
+  std::function<bool(double)> callback;
 
   // whether it is told where CLOUD has its distances
   bool names_distances() const { return !distance_property.empty() || !distances_dataset.empty(); }

@@ -32,19 +32,20 @@ internal::Sharp_mesh_options options_of(const Input& input)
 }
 
 // the vertices of a scanned mesh are a cloud without distances, which are not always welcome
-std::string scan_text(const std::string& filename)
+std::string scan_text(const std::string& name)
 {
-  return filename
+  return name
     + ": the mesh is a scan: its vertices are a cloud without distances; give a cloud with them, have them estimated "
       "(--field), or if the mesh is a shape whose edges are edges of the mesh, --mesh cad";
 }
 
 // Takes the vertices of a mesh that is a scan, each once: in STL, every triangle has vertices of its own. Returns what is wrong
 // with that.
-std::string take_vertices(const Input& input, const internal::Polygon_soup& soup, Cloud_in_memory& result)
+std::string take_vertices(const Input& input, const internal::Polygon_soup& soup, const std::string& name,
+                          Cloud_in_memory& result)
 {
   if (input.field_origin == wireframe::Field_origin::GIVEN)
-    return scan_text(input.files.front());
+    return scan_text(name);
   for (std::size_t i : internal::different_positions(soup.points))
     result.samples.push_back({soup.points[i].x(), soup.points[i].y(), soup.points[i].z(), 0.});
   result.kind_of_mesh = "scan";
@@ -53,13 +54,12 @@ std::string take_vertices(const Input& input, const internal::Polygon_soup& soup
   return std::string();
 }
 
-std::string no_sharp_edge_text(const std::string& filename, const internal::Sharp_mesh& mesh,
+std::string no_sharp_edge_text(const std::string& name, const internal::Sharp_mesh& mesh,
                                const internal::Sharp_mesh_options& options)
 {
   char angle[32];
   std::snprintf(angle, sizeof(angle), "%g", options.minimum_fold);
-  std::string text =
-    filename + ": no edge of the mesh is sharp, that is, folded by " + angle + " degrees (minimum_fold)";
+  std::string text = name + ": no edge of the mesh is sharp, that is, folded by " + angle + " degrees (minimum_fold)";
   if (mesh.sharp.number_of_facet_edges > 0)
     text += "; " + plural(mesh.sharp.number_of_facet_edges, "edge is", "edges are")
       + " taken for facets of a curved surface (maximum_facet_fold)";
@@ -122,37 +122,35 @@ bool is_mesh_to_sample(const Input& input, bool is_once_only)
   return content.is_mesh && !content.has_distances;
 }
 
-std::unique_ptr<Input_cloud> open_mesh(const Input& input, std::string& error)
+std::unique_ptr<Input_cloud> cloud_of_mesh(const internal::Polygon_soup& soup, const std::string& name,
+                                           const Input& input, std::string& error)
 {
   auto result = std::make_unique<Cloud_in_memory>();
-  const std::string& filename = input.files.front();
-  internal::Polygon_soup soup;
-  error = CGAL::IO::internal::read_mesh_file(filename, soup);
-  if (!error.empty())
-    return result;
   try
   {
     if (input.mesh == Mesh_choice::SCAN)
     {
-      error = take_vertices(input, soup, *result);
+      error = take_vertices(input, soup, name, *result);
       return result;
     }
     internal::Sharp_mesh mesh;
     const internal::Sharp_mesh_options options = options_of(input);
     error = internal::make_sharp_mesh(soup, options, mesh);
     if (!error.empty())
-      error = filename + ": " + error;
+      error = name + ": " + error;
     else if (input.mesh == Mesh_choice::AUTOMATIC && mesh.kind == wireframe::Mesh_kind::SCAN)
-      error = take_vertices(input, soup, *result);
+      error = take_vertices(input, soup, name, *result);
     if (!error.empty() || !result->kind_of_mesh.empty())
       return result;
     result->kind_of_mesh = "cad";
     if (mesh.sharp.edges.empty())
     {
-      result->text_without_feature = no_sharp_edge_text(filename, mesh, options);
+      result->text_without_feature = no_sharp_edge_text(name, mesh, options);
       return result;
     }
-    const internal::Mesh_samples samples = internal::sample_mesh(mesh, options);
+    const internal::Mesh_samples samples = internal::sample_mesh(mesh, options, input.callback);
+    if (samples.points.empty())
+      error = name + ": cancelled";
     for (std::size_t i = 0; i < samples.points.size(); ++i)
       result->samples.push_back(
         {samples.points[i].x(), samples.points[i].y(), samples.points[i].z(), samples.distances[i]});
@@ -161,9 +159,18 @@ std::unique_ptr<Input_cloud> open_mesh(const Input& input, std::string& error)
   }
   catch (const std::bad_alloc&)
   {
-    error = filename + ": there is not enough memory to sample its mesh";
+    error = name + ": there is not enough memory to sample its mesh";
   }
   return result;
+}
+
+std::unique_ptr<Input_cloud> open_mesh(const Input& input, std::string& error)
+{
+  internal::Polygon_soup soup;
+  error = CGAL::IO::internal::read_mesh_file(input.files.front(), soup);
+  if (!error.empty())
+    return std::make_unique<Cloud_in_memory>();
+  return cloud_of_mesh(soup, input.files.front(), input, error);
 }
 
 } // namespace tool

@@ -5,6 +5,8 @@
 
 #include "open_input.h"
 
+#include <CGAL/Wireframe_extraction/internal/mesh/Polygon_soup.h>
+
 #include <memory>
 #include <string>
 
@@ -19,8 +21,12 @@ bool is_mesh(const std::string& filename);
 // Whether the input is a mesh whose faces are to be looked at: it is none for its points and distances.
 bool is_mesh_to_sample(const Input& input, bool is_once_only);
 
-// Reads a mesh, and samples it if it is a shape.
+// Reads a mesh, and makes a cloud of it.
 std::unique_ptr<Input_cloud> open_mesh(const Input& input, std::string& error);
+
+// Makes a cloud of a mesh: samples it if it is a shape, or takes its vertices if it is a scan. Messages call it `name`.
+std::unique_ptr<Input_cloud> cloud_of_mesh(const CGAL::Wireframe_extraction::internal::Polygon_soup& mesh,
+                                           const std::string& name, const Input& input, std::string& error);
 
 } // namespace tool
 

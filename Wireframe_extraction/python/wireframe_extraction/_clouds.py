@@ -11,8 +11,13 @@ from ._files import existing
 from ._messages import in_python
 
 
-class Cloud(NamedTuple):
-    """A cloud that was read.
+class _Pair(NamedTuple):
+    points: Array
+    distances: Array | None
+
+
+class Cloud(_Pair):
+    """A cloud that was read: a pair, so that ``extract(*cloud)`` takes it.
 
     Attributes
     ----------
@@ -20,10 +25,14 @@ class Cloud(NamedTuple):
         The points.
     distances : ndarray of shape (n,) or None
         Their distances to the nearest sharp feature; None if the file has none.
+    note : str
+        How the file was taken, where it does not say it; empty otherwise.
+    number_of_skipped_points : int
+        Points that were left out since they are invalid.
     """
 
-    points: Array
-    distances: Array | None
+    note: str = ""
+    number_of_skipped_points: int = 0
 
 
 def input_of(paths: Any, distances: Any, reading: dict[str, Any]) -> dict[str, Any]:
@@ -36,12 +45,15 @@ def input_of(paths: Any, distances: Any, reading: dict[str, Any]) -> dict[str, A
                          "extract_many()")
     if distances is not None and not isinstance(distances, (str, bytes, os.PathLike)):
         raise TypeError("distances has to be the name of a file, as points is; or read the cloud with read_cloud()")
+    if "fusion" in reading and not reading.get("patches", False):
+        raise ValueError("fusion is about patches: it goes with patches=True")
     if distances is not None and reading.get("patches", False):
         raise ValueError("patches have their distances with them; leave distances out")
     values = {**reading, "files": [existing(path) for path in files]}
     return values if distances is None else {**values, "distances": existing(distances)}
 
 
+@_parameters.listed(_parameters.OF_CLOUDS)
 def read_cloud(path: Any, distances: Any = None, **parameters: Any) -> Cloud:
     """Read a cloud, in any format of the tool; a mesh is sampled, with the distances to its sharp edges.
 
@@ -78,16 +90,22 @@ def read_cloud(path: Any, distances: Any = None, **parameters: Any) -> Cloud:
 
     Raises
     ------
-    FileNotFoundError
-        If there is no such file.
+    OSError
+        If there is no such file (FileNotFoundError), or it may not be read.
     ValueError
         If it cannot be read; the message says where, why, and what helps.
     """
-    shared = {name: _parameters.EXTRACTION[name] for name in _parameters.SHARED}
-    known = {**_parameters.READING, **_parameters.MESH, **shared}
-    values = input_of(path, distances, _parameters.checked("read_cloud", parameters, known))
+    values = input_of(path, distances, _parameters.checked(read_cloud, parameters, _parameters.OF_CLOUDS))
     try:
-        points, known_distances, _, _ = _core.read_cloud(values)
+        points, known_distances, note, skipped = _core.read_cloud(values)
     except ValueError as error:
-        raise ValueError(in_python(str(error))) from None
-    return Cloud(points, None if values.get("field") == "estimated" else known_distances)
+        raise ValueError(in_python(str(error), *files_of(values))) from None
+    cloud = Cloud(points, None if values.get("field") == "estimated" else known_distances)
+    cloud.note = in_python(note, *files_of(values))
+    cloud.number_of_skipped_points = skipped
+    return cloud
+
+
+def files_of(values: dict[str, Any]) -> list[bytes]:
+    """Return the names of all files that `input_of()` returned."""
+    return [*values["files"], *([values["distances"]] if "distances" in values else [])]

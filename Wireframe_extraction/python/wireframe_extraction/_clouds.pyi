@@ -1,32 +1,36 @@
-from os import PathLike
 from typing import Any, Literal, NamedTuple, Sequence
 
 from ._curve import Array
+from ._types import Flag, Integer, Path, Real
 
-_Path = str | PathLike[str]
-
-class Cloud(NamedTuple):
+class _Pair(NamedTuple):
     points: Array
     distances: Array | None
 
+class Cloud(_Pair):
+    note: str
+    number_of_skipped_points: int
+
 def input_of(paths: Any, distances: Any, reading: dict[str, Any]) -> dict[str, Any]: ...
+def files_of(values: dict[str, Any]) -> list[bytes]: ...
 def read_cloud(
-    path: _Path | Sequence[_Path],
-    distances: _Path | None = ...,
+    path: Path | Sequence[Path],
+    distances: Path | None = ...,
     *,
+    # OF_CLOUDS
     field: Literal["auto", "given", "estimated"] | None = ...,
     distance_property: str | None = ...,
     points_dataset: str | None = ...,
     distances_dataset: str | None = ...,
     indices_dataset: str | None = ...,
-    use_indices: bool | None = ...,
-    patches: bool | None = ...,
+    use_indices: Flag | None = ...,
+    patches: Flag | None = ...,
     fusion: Literal["minimum", "median"] | None = ...,
     mesh: Literal["auto", "cad", "scan"] | None = ...,
-    maximum_facet_fold: float | None = ...,
-    maximum_number_of_points: int | None = ...,
-    use_boundaries: bool | None = ...,
-    sampling_distance: float | None = ...,
-    minimum_fold: float | None = ...,
-    skip_invalid: bool | None = ...,
+    maximum_facet_fold: Real | None = ...,
+    maximum_number_of_points: Integer | None = ...,
+    use_boundaries: Flag | None = ...,
+    sampling_distance: Real | None = ...,
+    minimum_fold: Real | None = ...,
+    skip_invalid: Flag | None = ...,
 ) -> Cloud: ...

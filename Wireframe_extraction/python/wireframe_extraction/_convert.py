@@ -18,16 +18,19 @@ _COLUMNS = ("index type closed source target length center_x center_y center_z a
             "direction_uncertainty major_radius_uncertainty minor_radius_uncertainty rms max support doubtful doubts").split()
 
 
-def to_networkx(wireframe: Wireframe) -> Any:
+def to_networkx(wireframe: Wireframe, plain: bool) -> Any:
     """Return a networkx.MultiGraph. See `Wireframe.to_networkx()`."""
     networkx = import_optional("networkx", "to_networkx()")
-    graph = networkx.MultiGraph(closed_curves=[curve.index for curve in wireframe.curves if curve.source is None])
+    closed = [curve.index for curve in wireframe.curves if curve.source is None]
+    graph = networkx.MultiGraph(closed_curves=" ".join(map(str, closed)) if plain else closed)
     for index, position in enumerate(wireframe.vertices):
-        graph.add_node(index, pos=tuple(map(float, position)))
+        place = tuple(map(float, position))
+        attributes: dict[str, Any] = dict(zip("xyz", place)) if plain else {"pos": place}
+        graph.add_node(index, **attributes)
     for curve in wireframe.curves:
         if curve.source is not None:
-            graph.add_edge(curve.source, curve.target, key=curve.index, curve=curve, type=curve.type,
-                           length=curve.length, doubtful=curve.doubtful)
+            graph.add_edge(curve.source, curve.target, key=curve.index, type=curve.type, length=curve.length,
+                           doubtful=curve.doubtful, **({} if plain else {"curve": curve}))
     return graph
 
 
@@ -76,7 +79,7 @@ def to_pandas(wireframe: Wireframe) -> Any:
     return table.set_index("index")
 
 
-def to_pyvista(wireframe: Wireframe, step: float | None) -> Any:
+def to_pyvista(wireframe: Wireframe, step: Any) -> Any:
     """Return a pyvista.PolyData. See `Wireframe.to_pyvista()`."""
     pyvista = import_optional("pyvista", "to_pyvista()")
     points, curves = wireframe.sample(step)

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from functools import cached_property
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _arrays, _core, _numbers
+
+if TYPE_CHECKING:
+    from ._types import Integer, Real
 
 Array = npt.NDArray[np.float64]
 
@@ -45,6 +47,7 @@ class Curve:
         self._core = core
         self._index = index
         self._ends = (core.source, core.target) if ends is None else ends
+        self._length: float | None = None   # measured when it is asked for
 
     def __repr__(self) -> str:
         radius = f", radius {self.radius:.6g}" if self.radius is not None else ""
@@ -80,10 +83,12 @@ class Curve:
         """Index of the vertex at which the curve ends; None on a closed curve that passes through none."""
         return self._ends[1]
 
-    @cached_property
+    @property
     def length(self) -> float:
         """Length of the curve, in the unit of the cloud."""
-        return self._core.length()
+        if self._length is None:
+            self._length = self._core.length()
+        return self._length
 
     @property
     def radius(self) -> float | None:
@@ -153,7 +158,7 @@ class Curve:
         """Whether there are `doubts`."""
         return bool(self.doubts)
 
-    @cached_property
+    @property
     def doubts(self) -> tuple[str, ...]:
         """Why the curve may be wrong; empty if nothing speaks against it.
 
@@ -203,7 +208,7 @@ class Curve:
         flat, shape = self._parameters(t)
         return self._core.points(flat).reshape(*shape, 3)
 
-    def derivative(self, t: npt.ArrayLike, order: int = 1) -> Array:
+    def derivative(self, t: npt.ArrayLike, order: Integer = 1) -> Array:
         """Return derivatives of the curve with respect to its parameter.
 
         Parameters
@@ -254,7 +259,7 @@ class Curve:
         flat, shape = self._parameters(t)
         return self._core.curvatures(flat).reshape(shape)
 
-    def sample(self, step: float | None = None, *, count: int | None = None) -> Array:
+    def sample(self, step: Real | None = None, *, count: Integer | None = None) -> Array:
         """Return points that are spaced evenly by length, from end to end.
 
         Parameters

@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
-import os
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _core, _files
 from ._wireframe import Wireframe
 
+if TYPE_CHECKING:
+    from ._types import Path
 
-def evaluate(truth: Wireframe | str | os.PathLike[str], wireframe: Wireframe) -> dict[str, Any]:
+
+def evaluate(truth: Wireframe | Path, wireframe: Wireframe) -> dict[str, Any]:
     """Compare a wireframe with the true one, or with another one.
 
     Parameters
     ----------
     truth : Wireframe or path-like
-        The true wireframe, or the name of a file `truth.json` as the generators of this project write it. A wireframe
-        needs a positive `sampling_distance`, which is the unit of all tolerances.
+        The true wireframe, or the name of a file: `truth.json` as the generators of this project write it, or a
+        wireframe in JSON. A wireframe needs a positive `sampling_distance`, which is the unit of all tolerances.
     wireframe : Wireframe
         The wireframe that is judged.
 
@@ -29,8 +31,8 @@ def evaluate(truth: Wireframe | str | os.PathLike[str], wireframe: Wireframe) ->
 
     Raises
     ------
-    FileNotFoundError
-        If there is no such file.
+    OSError
+        If there is no such file (FileNotFoundError), or it may not be read.
     ValueError
         If the truth is none.
     """
@@ -38,7 +40,14 @@ def evaluate(truth: Wireframe | str | os.PathLike[str], wireframe: Wireframe) ->
         raise TypeError(f"wireframe is {type(wireframe).__name__}; it has to be a Wireframe, as extract() gives it")
     prediction = _core.to_json(wireframe._core)
     if not isinstance(truth, Wireframe):
-        return _core.evaluate(_files.existing(truth), False, prediction)
+        path = _files.existing(truth)
+        try:
+            return _core.evaluate(path, False, prediction)
+        except ValueError as error:
+            try:
+                truth = _files.read(truth)   # it may be the file of a wireframe
+            except ValueError:
+                raise error from None
     if not truth.curves:
         raise ValueError("truth has no curve; there is nothing to compare with")
     if not truth.sampling_distance > 0.0:

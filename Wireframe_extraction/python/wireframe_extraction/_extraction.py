@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import os
-from typing import Any, NamedTuple
+from typing import Any, Callable, NamedTuple
 
 import numpy.typing as npt
 
 from . import _arrays, _core, _parameters
-from ._clouds import input_of
+from ._clouds import files_of, input_of
 from ._curve import Array
-from ._messages import in_python
-from ._report import checked_report
+from ._messages import as_text, in_python
+from ._report import Report, checked_report, texts_of_warnings, warn
 from ._wireframe import Wireframe
 
 
@@ -30,7 +30,8 @@ class Field(NamedTuple):
     deviations: Array
 
 
-def extract(points: Any, distances: Any = None, *, faces: Any = None, normals: Any = None, threads: int = 0,
+@_parameters.listed(_parameters.EXTRACTION, _parameters.MESH, _parameters.READING)
+def extract(points: Any, distances: Any = None, *, faces: Any = None, normals: Any = None, threads: int | None = 0,
             progress: Any = None, **parameters: Any) -> Wireframe:
     """Extract the parametric wireframe of a shape from a dense point cloud of its surface.
 
@@ -73,12 +74,22 @@ def extract(points: Any, distances: Any = None, *, faces: Any = None, normals: A
         If an argument has a type that it cannot have, or there is no such parameter; the message has the nearest name.
     ValueError
         If the cloud or a parameter cannot be right; the message names it, and the remedy.
+    OSError
+        If there is no such file (FileNotFoundError), or it may not be read.
 
     Warns
     -----
     ExtractionWarning
         Of what looks odd, and if there is no sharp feature.
     """
+    wireframe, report = extracted(extract, points, distances, faces, normals, threads, progress, parameters)
+    warn(texts_of_warnings(report), stacklevel=3)
+    return wireframe
+
+
+def extracted(function: Callable[..., Any], points: Any, distances: Any, faces: Any, normals: Any, threads: Any,
+              progress: Any, parameters: dict[str, Any]) -> tuple[Wireframe, Report]:
+    """Do what `extract()` does, for whichever function was called; the warnings are in the report only."""
     threads = _parameters.checked_threads(threads)
     progress = _parameters.checked_progress(progress)
     if isinstance(points, (str, bytes, os.PathLike)) or _are_paths(points):
@@ -86,13 +97,13 @@ def extract(points: Any, distances: Any = None, *, faces: Any = None, normals: A
             raise ValueError("faces goes with points in an array; a file has its own faces")
         if normals is not None:
             raise ValueError("normals goes with points in an array; those of a file are passed over")
-        return _of_file(points, distances, parameters, threads, progress)
+        return _of_file(function, points, distances, parameters, threads, progress)
     known = {**_parameters.EXTRACTION, **(_parameters.MESH if faces is not None else {})}
     for name in parameters:
         if name not in known and (name in _parameters.MESH or name in _parameters.READING):
             what = "faces, or the name of a file" if name in _parameters.MESH else "the name of a file"
             raise ValueError(f"{name} has no effect on points in an array; it goes with {what}")
-    values = _parameters.checked("extract", parameters, known)
+    values = _parameters.checked(function, parameters, known)
     points = _arrays.points(points)
     distances = _arrays.distances(distances, len(points))
     _arrays.check_normals(normals, len(points))
@@ -100,13 +111,25 @@ def extract(points: Any, distances: Any = None, *, faces: Any = None, normals: A
         if distances is not None:
             raise ValueError("there are both distances and faces; leave out distances to have them from the mesh, or "
                              "faces")
-        points, distances = _sampled(points, faces, values)
-    core, report = _core.extract_arrays(points, distances, _only_of_extraction(values), threads, progress)
-    return Wireframe(core, checked_report(report))
+        points = _arrays.finite_points(points)
+        indices = _arrays.faces(faces, len(points))
+        return _opened(lambda: _core.extract_mesh(points, indices, _of_reading(values), _of_extraction(values),
+                                                   threads, progress))
+    core, report = _core.extract_arrays(points, distances, values, threads, progress)
+    checked = checked_report(report)
+    return Wireframe(core, checked), checked
 
 
-def estimate_distances(points: Any, *, threads: int = 0, progress: Any = None, sampling_distance: float | None = None,
-                       minimum_fold: float | None = None, skip_invalid: bool = False) -> Field:
+def _of_reading(values: dict[str, Any]) -> dict[str, Any]:
+    return {name: value for name, value in values.items() if name in _parameters.OF_CLOUDS}
+
+
+def _of_extraction(values: dict[str, Any]) -> dict[str, Any]:
+    return {name: value for name, value in values.items() if name in _parameters.EXTRACTION}
+
+
+@_parameters.listed(_parameters.SHARED)
+def estimate_distances(points: Any, *, threads: int | None = 0, progress: Any = None, **parameters: Any) -> Field:
     """Estimate for each point of a cloud its distance to the nearest sharp feature, from the points alone.
 
     Parameters
@@ -115,6 +138,8 @@ def estimate_distances(points: Any, *, threads: int = 0, progress: Any = None, s
         The cloud. It is copied once.
     threads, progress
         As of `extract()`.
+    **parameters
+        Further ones, all with a default.
     sampling_distance : float, optional
         The mean distance of a point to its nearest neighbor, in the unit of the points; estimated if it is not given.
     minimum_fold : float, optional
@@ -137,12 +162,11 @@ def estimate_distances(points: Any, *, threads: int = 0, progress: Any = None, s
     ExtractionWarning
         If there is no sharp feature.
     """
-    given = {"sampling_distance": sampling_distance, "minimum_fold": minimum_fold, "skip_invalid": skip_invalid}
-    values = _parameters.checked("estimate_distances", given, _parameters.EXTRACTION)
+    values = _parameters.checked(estimate_distances, parameters, _parameters.SHARED)
     threads = _parameters.checked_threads(threads)
     progress = _parameters.checked_progress(progress)
     distances, deviations, report = _core.estimate_distances(_arrays.points(points), values, threads, progress)
-    checked_report(report)
+    warn(texts_of_warnings(checked_report(report)), stacklevel=3)
     return Field(distances, deviations)
 
 
@@ -151,36 +175,23 @@ def _are_paths(points: Any) -> bool:
     return isinstance(points, (list, tuple)) and len(points) > 0 and isinstance(points[0], (str, bytes, os.PathLike))
 
 
-def _only_of_extraction(values: dict[str, Any]) -> dict[str, Any]:
-    return {name: value for name, value in values.items() if name in _parameters.EXTRACTION}
-
-
-def _sampled(points: npt.NDArray[Any], faces: Any, values: dict[str, Any]) -> tuple[npt.NDArray[Any], Array | None]:
-    """Return the cloud of a mesh; the vertices, without distances, if it is a scan."""
-    indices = _arrays.faces(faces, len(points))
-    if values.get("mesh") == "scan":
-        return points, None
-    given = {name: value for name, value in values.items() if name in _parameters.MESH or name in _parameters.SHARED}
+def _opened(run: Callable[[], Any], *paths: Any) -> tuple[Wireframe, Report]:
+    """Return the wireframe of what the compiled part opens, a mesh or another file."""
     try:
-        samples, distances, is_scan = _core.sample_mesh(_arrays.finite_points(points), indices, given)
+        core, report, note, no_feature = run()
     except ValueError as error:
-        raise ValueError(in_python(str(error))) from None
-    return (points, None) if is_scan else (samples, distances)
-
-
-def _of_file(path: Any, distances: Any, parameters: dict[str, Any], threads: int, progress: Any) -> Wireframe:
-    known = {**_parameters.EXTRACTION, **_parameters.MESH, **_parameters.READING}
-    values = _parameters.checked("extract", parameters, known)
-    reading = {name: value for name, value in values.items()
-               if name in _parameters.MESH or name in _parameters.READING or name in _parameters.SHARED}
-    try:
-        core, report, note, no_feature = _core.extract_file(input_of(path, distances, reading),
-                                                            _only_of_extraction(values), threads, progress)
-    except ValueError as error:
-        raise ValueError(in_python(str(error))) from None
+        raise ValueError(in_python(str(error), *paths)) from None
     if no_feature:
         report = {**report, "status": "no_feature", "message": no_feature}
-    if report["status"] == "invalid_input":
-        name = path if isinstance(path, (str, bytes, os.PathLike)) else path[0]
-        report = {**report, "message": f"{os.fsdecode(os.fspath(name))}: {report['message']}"}
-    return Wireframe(core, checked_report(report, note, stacklevel=4))
+    if report["status"] == "invalid_input" and paths:
+        report = {**report, "message": f"{as_text(paths[0])}: {report['message']}"}
+    checked = checked_report(report, note, *paths)
+    return Wireframe(core, checked), checked
+
+
+def _of_file(function: Callable[..., Any], path: Any, distances: Any, parameters: dict[str, Any], threads: int,
+             progress: Any) -> tuple[Wireframe, Report]:
+    known = {**_parameters.EXTRACTION, **_parameters.OF_CLOUDS}
+    values = _parameters.checked(function, parameters, known)
+    given = input_of(path, distances, _of_reading(values))
+    return _opened(lambda: _core.extract_file(given, _of_extraction(values), threads, progress), *files_of(given))

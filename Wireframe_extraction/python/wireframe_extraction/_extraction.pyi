@@ -1,78 +1,80 @@
-from os import PathLike
-from typing import Callable, Literal, NamedTuple, Sequence
+from typing import Any, Callable, Literal, NamedTuple, Sequence
 
 import numpy.typing as npt
 
 from ._curve import Array
+from ._report import Report
+from ._types import Flag, Integer, Path, Progress, Real
 from ._wireframe import Wireframe
-
-_Path = str | PathLike[str]
-_Progress = Callable[[float], object] | None
 
 class Field(NamedTuple):
     distances: Array
     deviations: Array
 
 def extract(
-    points: npt.ArrayLike | _Path | Sequence[_Path],
-    distances: npt.ArrayLike | _Path | None = ...,
+    points: npt.ArrayLike | Path | Sequence[Path],
+    distances: npt.ArrayLike | Path | None = ...,
     *,
     faces: npt.ArrayLike | None = ...,
     normals: npt.ArrayLike | None = ...,
-    threads: int = ...,
-    progress: _Progress = ...,
-    sampling_distance: float | None = ...,
-    minimum_fold: float | None = ...,
-    noise_level: float | None = ...,
-    skeleton_distance: float | None = ...,
-    support_distance: float | None = ...,
-    fitting_radius: float | None = ...,
-    use_creases: bool | None = ...,
+    threads: Integer | None = ...,
+    progress: Progress | None = ...,
+    # EXTRACTION
+    sampling_distance: Real | None = ...,
+    points_in_memory: Integer | None = ...,
+    skip_invalid: Flag | None = ...,
+    minimum_fold: Real | None = ...,
+    noise_level: Real | None = ...,
+    skeleton_distance: Real | None = ...,
+    support_distance: Real | None = ...,
+    fitting_radius: Real | None = ...,
+    use_creases: Flag | None = ...,
     corner_measure: Literal["field-residual", "variance"] | None = ...,
-    corner_sampling_ratio: float | None = ...,
-    corner_radius: float | None = ...,
-    corner_variance: float | None = ...,
-    corner_residual: float | None = ...,
-    connection_radius: float | None = ...,
-    connection_angle: float | None = ...,
-    use_tangents: bool | None = ...,
+    corner_sampling_ratio: Real | None = ...,
+    corner_radius: Real | None = ...,
+    corner_variance: Real | None = ...,
+    corner_residual: Real | None = ...,
+    connection_radius: Real | None = ...,
+    connection_angle: Real | None = ...,
+    use_tangents: Flag | None = ...,
     graph_method: Literal["traced", "subdivided"] | None = ...,
     end_detection: Literal["graph-distance", "main-axis"] | None = ...,
-    split_threshold: float | None = ...,
-    corner_reach: float | None = ...,
-    maximum_gap: float | None = ...,
-    smooth_angle: float | None = ...,
-    minimum_evidence: float | None = ...,
-    use_robust_loss: bool | None = ...,
-    move_corners: bool | None = ...,
-    adapt_knots: bool | None = ...,
-    number_of_rounds: int | None = ...,
-    recognize_types: bool | None = ...,
-    type_significance: float | None = ...,
-    regularize: bool | None = ...,
-    skip_invalid: bool | None = ...,
-    points_in_memory: int | None = ...,
-    # of meshes
+    split_threshold: Real | None = ...,
+    corner_reach: Real | None = ...,
+    maximum_gap: Real | None = ...,
+    smooth_angle: Real | None = ...,
+    minimum_evidence: Real | None = ...,
+    use_robust_loss: Flag | None = ...,
+    move_corners: Flag | None = ...,
+    adapt_knots: Flag | None = ...,
+    number_of_rounds: Integer | None = ...,
+    recognize_types: Flag | None = ...,
+    type_significance: Real | None = ...,
+    regularize: Flag | None = ...,
+    # MESH
     mesh: Literal["auto", "cad", "scan"] | None = ...,
-    maximum_facet_fold: float | None = ...,
-    maximum_number_of_points: int | None = ...,
-    use_boundaries: bool | None = ...,
-    # of files
+    maximum_facet_fold: Real | None = ...,
+    maximum_number_of_points: Integer | None = ...,
+    use_boundaries: Flag | None = ...,
+    # READING
     field: Literal["auto", "given", "estimated"] | None = ...,
     distance_property: str | None = ...,
     points_dataset: str | None = ...,
     distances_dataset: str | None = ...,
     indices_dataset: str | None = ...,
-    use_indices: bool | None = ...,
-    patches: bool | None = ...,
+    use_indices: Flag | None = ...,
+    patches: Flag | None = ...,
     fusion: Literal["minimum", "median"] | None = ...,
 ) -> Wireframe: ...
+def extracted(function: Callable[..., Any], points: Any, distances: Any, faces: Any, normals: Any, threads: Any,
+              progress: Any, parameters: dict[str, Any]) -> tuple[Wireframe, Report]: ...
 def estimate_distances(
     points: npt.ArrayLike,
     *,
-    threads: int = ...,
-    progress: _Progress = ...,
-    sampling_distance: float | None = ...,
-    minimum_fold: float | None = ...,
-    skip_invalid: bool = ...,
+    threads: Integer | None = ...,
+    progress: Progress | None = ...,
+    # SHARED
+    sampling_distance: Real | None = ...,
+    minimum_fold: Real | None = ...,
+    skip_invalid: Flag | None = ...,
 ) -> Field: ...

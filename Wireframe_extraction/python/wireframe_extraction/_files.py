@@ -4,34 +4,44 @@ from __future__ import annotations
 
 import errno
 import os
+import stat
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from . import _core
 from ._curve import checked_step
+from ._messages import as_text
 
 if TYPE_CHECKING:
+    from ._types import Path
     from ._wireframe import Wireframe
 
 _CAD = (".step", ".stp", ".iges", ".igs", ".brep")
 _OTHERS = (".json", ".dxf", ".obj", ".ply", ".vtp", ".gltf", ".glb", ".svg", ".csv", ".txt", ".cgal")
+_POLYLINES = (".obj", ".ply", ".vtp", ".gltf", ".glb", ".svg", ".txt", ".cgal")
 _UNITS = ("um", "mm", "cm", "m", "in", "ft")
 
 
 def existing(path: Any) -> bytes:
-    """Return the name of a file that there is.
+    """Return the name of a file that there is, and that may be read.
 
     Raises
     ------
-    FileNotFoundError
-        If there is none.
+    OSError
+        As of `open()`: FileNotFoundError, PermissionError, IsADirectoryError.
     """
     name = os.fspath(path)
-    if not os.path.exists(name):
-        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), name)
+    try:
+        mode = os.stat(name).st_mode
+    except ValueError:   # a null character
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), name) from None
+    if stat.S_ISREG(mode) or stat.S_ISDIR(mode):   # what a pipe has can be read once only
+        open(name, "rb").close()
     return os.fsencode(name)
 
 
-def read(path: Any) -> Wireframe:
+def read(path: Path) -> Wireframe:
     """Read a wireframe.
 
     Parameters
@@ -46,8 +56,8 @@ def read(path: Any) -> Wireframe:
 
     Raises
     ------
-    FileNotFoundError
-        If there is no such file.
+    OSError
+        If there is no such file (FileNotFoundError), or it may not be read.
     ValueError
         If it is no valid wireframe; the message says where, and why.
     """
@@ -65,36 +75,63 @@ def _write_cad(wireframe: Wireframe, path: bytes, extension: str, unit: str, sch
     _cad.write(wireframe._core, path, extension, unit, schema)
 
 
-def _write_text(name: str, text: str) -> None:
+def _write_text(name: Any, text: str) -> None:
     """Write a file as a whole, or not at all."""
-    beside = f"{name}.{os.getpid()}.tmp"
+    beside = f"{os.fsdecode(name)}.{os.getpid()}.tmp"
     try:
         with open(beside, "w", encoding="utf-8") as stream:
             stream.write(text)
         os.replace(beside, name)
-    except OSError:
+    except OSError as error:
         if os.path.exists(beside):
             os.remove(beside)
-        raise
+        raise OSError(error.errno, error.strerror, name) from None   # of the file that was asked for
 
 
-def write(wireframe: Wireframe, path: Any, unit: str, step: float | None, obj_splines: bool, schema: str) -> None:
+def _os_error(message: str, name: Any) -> OSError:
+    """Return what the system says about a file that could not be written; it is in the message of the writer."""
+    if os.path.isdir(name):
+        return IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), name)
+    for code in errno.errorcode:
+        if message.endswith(os.strerror(code)):
+            return OSError(code, os.strerror(code), name)
+    return OSError(errno.EIO, message, name)
+
+
+def _check_arguments(name: Any, extension: str, unit: Any, step: Any, obj_splines: Any, schema: Any) -> None:
+    """Refuse what is wrong, and what has no effect on a format."""
+    if extension not in (*_CAD, *_OTHERS, ".html"):
+        raise ValueError(f"{as_text(name)}: unknown extension {extension!r} of a wireframe; known are "
+                         f"{', '.join((*_CAD, *_OTHERS, '.html'))}")
+    check_unit(unit)
+    if not isinstance(obj_splines, (bool, np.bool_)):
+        raise TypeError(f"obj_splines is {obj_splines!r}; it has to be True or False")
+    if schema not in ("ap214", "ap242"):
+        raise ValueError(f"schema is {schema!r}; it has to be 'ap214' or 'ap242'")
+    for what, is_given, formats in (("step", step is not None, _POLYLINES), ("obj_splines", obj_splines, (".obj",)),
+                                    ("schema", schema != "ap214", (".step", ".stp"))):
+        if is_given and extension not in formats:
+            raise ValueError(f"{what} has no effect on {extension}; it goes with {', '.join(formats)}")
+
+
+def check_unit(unit: Any) -> None:
+    """Refuse what is no unit of length."""
+    if unit not in _UNITS:
+        raise ValueError(f"unit is {unit!r}; it has to be one of {', '.join(_UNITS)}")
+
+
+def write(wireframe: Wireframe, path: Any, unit: Any, step: Any, obj_splines: Any, schema: str) -> None:
     """Write a wireframe into a file. See `Wireframe.write()`."""
     name = os.fspath(path)
     extension = os.path.splitext(os.fsdecode(name))[1].lower()
-    if extension not in (*_CAD, *_OTHERS, ".html"):
-        raise ValueError(f"{name}: unknown extension {extension!r} of a wireframe; known are "
-                         f"{', '.join((*_CAD, *_OTHERS, '.html'))}")
-    if unit not in _UNITS:
-        raise ValueError(f"unit is {unit!r}; it has to be one of {', '.join(_UNITS)}")
-    if schema not in ("ap214", "ap242"):
-        raise ValueError(f"schema is {schema!r}; it has to be 'ap214' or 'ap242'")
+    _check_arguments(name, extension, unit, step, obj_splines, schema)
     problem = wireframe._core.problem()
     if problem:
         raise ValueError(f"the wireframe is not valid: {problem}")
+    if extension in _CAD and not wireframe.curves:
+        raise ValueError(f"the wireframe has no curve, of which {extension} could have something")
     if extension == ".html":
-        text = wireframe.to_html(title=os.path.basename(os.fsdecode(name)), unit=unit)
-        _write_text(os.fsdecode(name), text)
+        _write_text(name, wireframe.to_html(title=as_text(os.path.basename(name)), unit=unit))
         return
     length = sum(curve.length for curve in wireframe.curves)
     checked = 0.0 if step is None else checked_step(step, length)
@@ -104,4 +141,4 @@ def write(wireframe: Wireframe, path: Any, unit: str, step: float | None, obj_sp
         else:
             _core.write(wireframe._core, os.fsencode(name), unit, checked, bool(obj_splines))
     except ValueError as error:   # all that could be wrong with the arguments is looked at above
-        raise OSError(str(error)) from None
+        raise _os_error(str(error), name) from None

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _core
+from . import _arrays, _core, _files
 
 if TYPE_CHECKING:
     from ._wireframe import Wireframe
@@ -54,6 +54,10 @@ def _drawing(wireframe: Wireframe) -> str:
 
 def page(wireframe: Wireframe, points: Any, distances: Any, title: str, unit: str) -> str:
     """Return a page. See `Wireframe.to_html()`."""
+    if not isinstance(title, str):
+        raise TypeError(f"title is {title!r}; it has to be a text")
+    _files.check_unit(unit)
+    title = title.encode("utf-8", "backslashreplace").decode("utf-8")   # names of files may have what is no UTF-8
     samples = _samples(points, distances)
     if _core.has_viewer() and wireframe.curves:
         texts = wireframe.report.warnings if wireframe.report is not None else []

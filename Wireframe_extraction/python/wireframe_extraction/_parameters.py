@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import difflib
-from typing import Any, Callable, Iterable, Mapping
+import inspect
+from typing import Any, Callable, Iterable, Mapping, TypeVar
 
 import numpy as np
 
@@ -40,14 +41,38 @@ READING = {
 #: of the extraction, with the type of each
 EXTRACTION = {name: type(value) for name, value in _DEFAULTS.items()}
 #: of the extraction, as far as meshes and files have them, too
-SHARED = ("sampling_distance", "minimum_fold", "skip_invalid")
+SHARED = {name: EXTRACTION[name] for name in ("sampling_distance", "minimum_fold", "skip_invalid")}
 
+#: of files and meshes that are read as clouds
+OF_CLOUDS = {**READING, **MESH, **SHARED}
+
+_NO_NORMALS = "normals are not used: the points tell where the surface is folded"
 _HINTS = {
-    "normals": "normals are not used: the points tell where the surface is folded",
+    "normal": _NO_NORMALS,
+    "normals": _NO_NORMALS,
     "verbose": "nothing is printed; progress takes a function of the share that is done",
     "n_jobs": "the number of threads is threads",
     "num_threads": "the number of threads is threads",
 }
+
+_Function = TypeVar("_Function", bound=Callable[..., Any])
+
+
+def listed(*groups: Mapping[str, type]) -> Callable[[_Function], _Function]:
+    """Return a decorator: the signature of a function gets the parameters that it takes as ``**parameters``.
+
+    So notebooks and editors show them, and `checked()` knows all names that the function has.
+    """
+    def decorate(function: _Function) -> _Function:
+        signature = inspect.signature(function)
+        named = [parameter for parameter in signature.parameters.values()
+                 if parameter.kind is not inspect.Parameter.VAR_KEYWORD]
+        others = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None)
+                  for name in dict.fromkeys(name for group in groups for name in group)]
+        function.__signature__ = signature.replace(parameters=named + others)   # type: ignore[attr-defined]
+        return function
+
+    return decorate
 
 
 def default_parameters() -> dict[str, Any]:
@@ -98,11 +123,11 @@ def paper_parameters() -> dict[str, Any]:
     return {name: value for name, value in _core.paper_parameters().items() if value != _DEFAULTS[name]}
 
 
-def _unknown(function: str, name: str, known: Iterable[str]) -> TypeError:
+def _unknown(function: str, name: str, named: Iterable[str]) -> TypeError:
     text = f"{function}() got an unexpected keyword argument '{name}'"
-    if name in _HINTS:
+    near = difflib.get_close_matches(name.lower(), [other for other in named if other != "self"], 1, 0.6)
+    if name in _HINTS and f"{name}s" not in near:
         return TypeError(f"{text}; {_HINTS[name]}")
-    near = difflib.get_close_matches(name, known, 1, 0.6)
     return TypeError(text + (f"; did you mean '{near[0]}'?" if near else "; default_parameters() has all parameters"))
 
 
@@ -132,13 +157,13 @@ _CONVERSIONS: dict[type, Callable[[str, Any], Any]] = {
 }
 
 
-def checked(function: str, given: Mapping[str, Any], known: Mapping[str, type]) -> dict[str, Any]:
+def checked(function: Callable[..., Any], given: Mapping[str, Any], known: Mapping[str, type]) -> dict[str, Any]:
     """Return the parameters that are given, as plain values.
 
     Parameters
     ----------
     function
-        Who was called, for messages.
+        Who was called, for messages: its name, and its signature as `listed()` makes it.
     given
         The parameters. Those that are None have their defaults.
     known
@@ -154,15 +179,19 @@ def checked(function: str, given: Mapping[str, Any], known: Mapping[str, type]) 
     result = {}
     for name, value in given.items():
         if name not in known:
-            raise _unknown(function, name, known)
-        if value is not None:
-            result[name] = _CONVERSIONS[known[name]](name, value)
+            who = function.__qualname__.replace(".__init__", "")
+            raise _unknown(who, name, inspect.signature(function).parameters)
+        if value is None:
+            continue
+        result[name] = _CONVERSIONS[known[name]](name, value)
+        if name in _AUTOMATIC and result[name] < 0.0:
+            raise ValueError(f"{name} is {result[name]}; it has to be at least 0, or None to follow from the cloud")
     return result
 
 
 def checked_threads(threads: Any) -> int:
-    """Return a number of threads; 0 stands for as many as there are."""
-    return _numbers.integer("threads", threads, 0, 1024)
+    """Return a number of threads; 0 and None stand for as many as there are."""
+    return 0 if threads is None else _numbers.integer("threads", threads, 0, 1024)
 
 
 def checked_progress(progress: Any) -> Any:

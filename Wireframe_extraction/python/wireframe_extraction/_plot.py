@@ -17,13 +17,13 @@ _MOST_POINTS = 5000
 
 def plot(wireframe: Wireframe, ax: Any, points: Any) -> Any:
     """Draw the curves. See `Wireframe.plot()`."""
+    cloud = None if points is None else _arrays.finite_points(points)
     if ax is None:
         pyplot = import_optional("matplotlib.pyplot", "plot()")
         ax = pyplot.figure().add_subplot(projection="3d")
     elif not hasattr(ax, "get_zlim"):
         raise TypeError(f"ax is {ax!r}; it has to be three-dimensional, made with projection='3d'")
-    if points is not None:
-        cloud = _arrays.finite_points(points)
+    if cloud is not None:
         thinned = cloud[::max(1, len(cloud) // _MOST_POINTS)]
         ax.scatter(*thinned.T, s=1, color="#bbbbbb", linewidths=0, depthshade=False)
     samples, curves = wireframe.sample()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass, field
+from typing import Iterable
 
 from ._messages import in_python
 
@@ -79,22 +80,29 @@ class Report:
     seconds: dict[str, float] = field(default_factory=dict)
 
 
-def checked_report(values: dict[str, object], note: str = "", stacklevel: int = 3) -> Report:
-    """Return a report, raise what makes the result useless, and warn of the rest.
+def checked_report(values: dict[str, object], note: str = "", *paths: object) -> Report:
+    """Return a report; `paths` are the files that messages name.
 
     Raises
     ------
     ValueError
         If the cloud or a parameter cannot be right.
     """
-    message = in_python(str(values["message"]))
-    texts = [in_python(text) for text in values["warnings"]]   # type: ignore[attr-defined]
+    message = in_python(str(values["message"]), *paths)
     if values["status"] == "invalid_input":
         raise ValueError(message)
-    changed = {"message": message, "warnings": texts, "note": in_python(note)}
-    report = Report(**{**values, **changed})   # type: ignore[arg-type]
+    texts = [in_python(text, *paths) for text in values["warnings"]]   # type: ignore[attr-defined]
+    changed = {"message": message, "warnings": texts, "note": in_python(note, *paths)}
+    return Report(**{**values, **changed})   # type: ignore[arg-type]
+
+
+def texts_of_warnings(report: Report) -> list[str]:
+    """Return what is to be warned of: what looks odd, and that there is no feature."""
+    texts = list(report.warnings)
+    return texts + [f"there is no wireframe: {report.message}"] if report.status == "no_feature" else texts
+
+
+def warn(texts: Iterable[str], stacklevel: int) -> None:
+    """Warn, in the line of who called the function that calls this one, for 3; for more, farther out."""
     for text in texts:
         warnings.warn(text, ExtractionWarning, stacklevel=stacklevel)
-    if report.status == "no_feature":
-        warnings.warn(f"there is no wireframe: {message}", ExtractionWarning, stacklevel=stacklevel)
-    return report

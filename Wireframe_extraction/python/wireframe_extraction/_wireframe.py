@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import os
-from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -19,17 +17,20 @@ if TYPE_CHECKING:
     import pyvista
     from mpl_toolkits.mplot3d import Axes3D
 
+    from ._types import Flag, Path, Real, Unit
+
 
 class Wireframe:
     """A parametric wireframe: vertices, and curves between them.
 
     Wireframes come from `extract()` and `read()`, and do not change. They can be pickled. Lengths are in the unit of
-    the cloud.
+    the cloud. A wireframe is equal to itself only, and so are curves: `evaluate()` tells how well two agree.
     """
 
     def __init__(self, core: _core.Wireframe | None = None, report: Report | None = None) -> None:
         self._core = _core.Wireframe() if core is None else core
         self._report = report
+        self._curves: tuple[Curve, ...] | None = None   # made when they are asked for
 
     def __repr__(self) -> str:
         return f"<Wireframe: {len(self.vertices)} vertices, {len(self.curves)} curves>"
@@ -42,10 +43,12 @@ class Wireframe:
         """Corners and ends of curves, of shape (v, 3); a copy."""
         return self._core.vertices
 
-    @cached_property
+    @property
     def curves(self) -> tuple[Curve, ...]:
         """The curves, in the order in which files have them."""
-        return tuple(Curve(core, index) for index, core in enumerate(self._core.curves()))
+        if self._curves is None:
+            self._curves = tuple(Curve(core, index) for index, core in enumerate(self._core.curves()))
+        return self._curves
 
     @property
     def edges(self) -> npt.NDArray[np.int64]:
@@ -82,7 +85,7 @@ class Wireframe:
         """
         return not self._core.problem()
 
-    def sample(self, step: float | None = None) -> tuple[Array, npt.NDArray[np.int64]]:
+    def sample(self, step: Real | None = None) -> tuple[Array, npt.NDArray[np.int64]]:
         """Return points along all curves, spaced evenly by length on each.
 
         Parameters
@@ -120,8 +123,8 @@ class Wireframe:
         """
         return self._core.distances(_arrays.finite_points(points))
 
-    def write(self, path: str | os.PathLike[str], *, unit: str = "mm", step: float | None = None,
-              obj_splines: bool = False, schema: str = "ap214") -> None:
+    def write(self, path: Path, *, unit: Unit = "mm", step: Real | None = None, obj_splines: Flag = False,
+              schema: Literal["ap214", "ap242"] = "ap214") -> None:
         """Write the wireframe into a file, in the format that the extension names.
 
         All formats of the tool are there: .json (everything), .step .stp .iges .igs .brep .dxf (the curves), .obj .ply
@@ -143,16 +146,17 @@ class Wireframe:
         Raises
         ------
         ValueError
-            If the extension is unknown, an argument is wrong, or the wireframe is not valid.
+            If the extension is unknown, an argument is wrong or has no effect on the format, or the wireframe is not
+            valid, or is empty where the format needs a curve.
         OSError
-            If the file cannot be written.
+            If the file cannot be written: FileNotFoundError, PermissionError and so on, with `errno`.
         ImportError
             If the module was built without OpenCASCADE, which .step, .iges and .brep need.
         """
         _files.write(self, path, unit, step, obj_splines, schema)
 
     def to_html(self, points: npt.ArrayLike | None = None, distances: npt.ArrayLike | None = None, *,
-                title: str = "Wireframe", unit: str = "mm") -> str:
+                title: str = "Wireframe", unit: Unit = "mm") -> str:
         """Return a page for a browser that shows the curves, and the cloud if it is given.
 
         Parameters
@@ -180,8 +184,14 @@ class Wireframe:
 
         return _html.frame(self)
 
-    def to_networkx(self) -> networkx.MultiGraph:
+    def to_networkx(self, *, plain: bool = False) -> networkx.MultiGraph:
         """Return the wireframe as a graph of NetworkX.
+
+        Parameters
+        ----------
+        plain : bool
+            Whether there are numbers and texts only, as files of graphs need them: ``networkx.write_graphml()`` and so
+            on. Then nodes have `x`, `y` and `z` instead of `pos`, edges no `curve`, and `closed_curves` is a text.
 
         Returns
         -------
@@ -192,7 +202,7 @@ class Wireframe:
         """
         from . import _convert
 
-        return _convert.to_networkx(self)
+        return _convert.to_networkx(self, plain)
 
     def to_pandas(self) -> pandas.DataFrame:
         """Return a table of the curves for pandas, with the columns of the format .csv.
@@ -206,7 +216,7 @@ class Wireframe:
 
         return _convert.to_pandas(self)
 
-    def to_pyvista(self, step: float | None = None) -> pyvista.PolyData:
+    def to_pyvista(self, step: Real | None = None) -> pyvista.PolyData:
         """Return the curves as polylines for PyVista.
 
         Parameters

@@ -4,8 +4,10 @@ cloud of a worker that dies goes to another one: nothing is lost, also if this p
 """
 
 import argparse
+import collections
 import os
 import pathlib
+import sys
 
 import distributed
 
@@ -21,6 +23,12 @@ def extract(cloud, output):
     return len(wireframe.curves)
 
 
+def outputs_of(clouds, folder):
+    """Returns the file of each wireframe: a.json for a.ply, but a.ply.json where there is a.stl as well."""
+    stems = collections.Counter(cloud.stem for cloud in clouds)
+    return {cloud: folder / f"{cloud.stem if stems[cloud.stem] == 1 else cloud.name}.json" for cloud in clouds}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("input", type=pathlib.Path, help="the folder of the clouds")
@@ -30,9 +38,11 @@ def main():
     parser.add_argument("--workers", type=int, default=2, help="how many are started without one (default %(default)s)")
     arguments = parser.parse_args()
 
+    clouds = outputs_of(sorted(arguments.input.glob(arguments.pattern)), arguments.output)
+    if not clouds:
+        parser.error(f"{arguments.input} has no {arguments.pattern}" if arguments.input.is_dir()
+                     else f"there is no folder {arguments.input}")
     arguments.output.mkdir(parents=True, exist_ok=True)
-    names = sorted(arguments.input.glob(arguments.pattern))
-    clouds = {cloud: arguments.output / f"{cloud.stem}.json" for cloud in names}
     todo = {cloud: output for cloud, output in clouds.items() if not output.exists()}
     print(f"{len(clouds)} clouds, {len(clouds) - len(todo)} of them done before")
 
@@ -40,14 +50,17 @@ def main():
         client = distributed.Client(arguments.scheduler)
     else:
         client = distributed.Client(n_workers=arguments.workers, threads_per_worker=1, dashboard_address=None)
+    number_of_failed = 0
     with client:
         futures = {client.submit(extract, str(cloud.resolve()), str(output.resolve()), pure=False): cloud
                    for cloud, output in todo.items()}
         for future in distributed.as_completed(futures):
             error = future.exception()
+            number_of_failed += error is not None
             result = f"{future.result()} curves" if error is None else f"failed: {error}"
             print(f"{futures[future].name}: {result}", flush=True)
+    return 1 if number_of_failed > 0 else 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -1,6 +1,7 @@
 """What other libraries get, and what notebooks show."""
 
 import csv
+import json
 import math
 import sys
 import types
@@ -124,6 +125,31 @@ def test_distance(box_wireframe):
     assert box_wireframe.distance(queries[0]).shape == (1,) and box_wireframe.distance(np.empty((0, 3))).shape == (0,)
 
 
+def test_networkx_in_files(box_wireframe, tmp_path):
+    networkx = pytest.importorskip("networkx")
+    graph = box_wireframe.to_networkx(plain=True)
+    networkx.write_graphml(graph, tmp_path / "graph.graphml")
+    read = networkx.read_graphml(tmp_path / "graph.graphml", node_type=int)
+    assert networkx.is_isomorphic(read, graph) and len(read.graph["closed_curves"].split()) == 2
+    assert [read.nodes[0][axis] for axis in "xyz"] == pytest.approx(box_wireframe.vertices[0].tolist())
+    json.dumps(networkx.node_link_data(graph))
+
+
+def test_plot_that_fails(box_wireframe):
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    before = pyplot.get_fignums()
+    with pytest.raises(ValueError, match="n, 3"):
+        box_wireframe.plot(points=np.zeros((5, 2)))
+    assert pyplot.get_fignums() == before
+
+
+def test_nothing_can_be_changed(box_wireframe):
+    for thing, name in ((box_wireframe, "curves"), (box_wireframe, "vertices"), (box_wireframe.curves[0], "length"),
+                        (box_wireframe.curves[0], "doubts")):
+        with pytest.raises(AttributeError):
+            setattr(thing, name, ())
+
+
 def test_evaluate(box_wireframe, tmp_path):
     same = we.evaluate(box_wireframe, box_wireframe)
     assert same["failure"] is None and same["curve_f1"] == same["corner_recall"] == 1
@@ -132,7 +158,9 @@ def test_evaluate(box_wireframe, tmp_path):
     other = we.evaluate(box_wireframe, we.read(path))
     assert other["curve_recall"] < 0.5 and math.isfinite(other["hausdorff_distance"])
     assert we.evaluate(box_wireframe, we.Wireframe())["failure"] == "there is no curve"
-    for truth, text in ((we.Wireframe(), "no curve"), (path, "line.json")):
+    np.testing.assert_equal(we.evaluate(path, box_wireframe), we.evaluate(we.read(path), box_wireframe))
+    (tmp_path / "bad.json").write_text("{}")
+    for truth, text in ((we.Wireframe(), "no curve"), (tmp_path / "bad.json", "bad.json")):
         with pytest.raises(ValueError, match=text):
             we.evaluate(truth, box_wireframe)
     with pytest.raises(FileNotFoundError):

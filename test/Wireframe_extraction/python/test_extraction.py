@@ -76,6 +76,58 @@ def test_mesh(data, tool, tmp_path):
     assert json_of(wireframe, tmp_path) == expected
 
 
+CUBE = (np.array([(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=float),
+        np.array([(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1), (2, 3, 7), (2, 7, 6), (0, 2, 6),
+                  (0, 6, 4), (1, 5, 7), (1, 7, 3)]))
+
+
+def sphere(steps=24):
+    """Return the vertices and triangles of a smooth mesh."""
+    angles = np.pi * np.arange(1, steps) / steps
+    ring = np.column_stack([np.cos(2 * np.pi * np.arange(2 * steps) / (2 * steps)),
+                            np.sin(2 * np.pi * np.arange(2 * steps) / (2 * steps))])
+    rows = [np.column_stack([np.sin(a) * ring, np.full(2 * steps, np.cos(a))]) for a in angles]
+    vertices = np.vstack([[(0, 0, 1)], *rows, [(0, 0, -1)]])
+    faces, width, last = [], 2 * steps, len(vertices) - 1
+    for i in range(width):
+        j = (i + 1) % width
+        faces.append((0, 1 + i, 1 + j))
+        faces.append((last, last - width + j, last - width + i))
+        for k in range(steps - 2):
+            first = 1 + k * width
+            faces += [(first + i, first + width + i, first + j), (first + j, first + width + i, first + width + j)]
+    return vertices, np.array(faces)
+
+
+@pytest.mark.parametrize("mesh, parameters, text", [
+    (CUBE, {"maximum_number_of_points": 20000}, "taken for a shape"), (sphere(), {}, "no edge of the mesh is sharp"),
+    (CUBE, {"minimum_fold": 100}, "no edge of the mesh is sharp"), ((np.eye(3), [[0, 1, 2]]), {}, "no edge"),
+    ((make_cylinder(600)[0], [(i, i + 1, i + 2) for i in range(598)]), {"mesh": "scan"}, 'mesh="scan"')])
+def test_mesh_of_arrays_is_that_of_a_file(mesh, parameters, text, tmp_path):
+    vertices, faces = mesh
+    with open(tmp_path / "mesh.off", "w") as file:
+        file.write(f"OFF\n{len(vertices)} {len(faces)} 0\n")
+        file.writelines(" ".join(map(repr, map(float, row))) + "\n" for row in vertices)
+        file.writelines(" ".join(map(str, (len(row), *row))) + "\n" for row in faces)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        results = [we.extract(vertices, faces=faces, **parameters), we.extract(tmp_path / "mesh.off", **parameters)]
+    texts = [str(warning.message) for warning in caught]
+    assert texts == [] or texts[1] == texts[0].replace("faces: ", f"{tmp_path / 'mesh.off'}: ") and len(texts) == 2
+    assert results[0]._core.problem() == "" and len(results[0].curves) == len(results[1].curves)
+    assert [we._core.to_json(one._core) for one in results[:1]] == [we._core.to_json(one._core) for one in results[1:]]
+    reports = [result.report for result in results]
+    assert reports[0].status == reports[1].status
+    assert reports[0].note == reports[1].note or "mesh" in parameters   # the vertices of a file are read as a cloud then
+    assert any(text in told for told in (reports[0].note, reports[0].message))
+
+
+def test_progress_of_a_mesh():
+    shares = []
+    we.extract(CUBE[0], faces=CUBE[1], progress=shares.append, maximum_number_of_points=20000)
+    assert shares == sorted(set(shares)) and shares[-1] == 1
+
+
 @pytest.mark.parametrize("change", [
     lambda p, d: (p.astype("f4"), d.astype("f4")),
     lambda p, d: (p.astype("f4"), d),
@@ -162,8 +214,15 @@ def test_progress_that_raises(box):
     lambda: we.Extractor(raw_cylinder(300000)).wireframe,
     lambda: we.extract_many([raw_cylinder(300000)] * 3),
     lambda: we.extract(*make_cylinder(5000)).distance(np.random.default_rng(7).normal(size=(6000000, 3))),
-], ids=["estimate", "extract", "stages", "many", "distance"])
-def test_interrupt(work):
+    lambda: we.extract(CUBE[0], faces=CUBE[1], sampling_distance=0.002),
+    lambda: we.read_cloud("large.off", sampling_distance=0.002),
+    lambda: we.extract(*make_cylinder(5000)).curves[0].sample(count=10000000),
+], ids=["estimate", "extract", "stages", "many", "distance", "mesh", "mesh file", "sample"])
+def test_interrupt(work, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with open("large.off", "w") as file:
+        file.write("OFF\n8 12 0\n")
+        file.writelines(" ".join(map(str, row)) + "\n" for row in [*CUBE[0], *([3, *face] for face in CUBE[1])])
     stopped_at = []
 
     def interrupt():
@@ -217,6 +276,20 @@ def test_library_warnings(cylinder):
 
 
 P, D = make_cylinder(500)
+PADDED = np.column_stack([np.full(12, 3), CUBE[1]])
+
+
+class Frame:
+    """What pandas has of a table."""
+
+    def __init__(self, values):
+        self.values, self.iloc = np.asarray(values), self
+
+    def __array__(self, dtype=None, copy=None):
+        return self.values.astype(dtype or self.values.dtype)
+
+    def to_numpy(self, dtype):
+        return self.values.astype(dtype)
 
 
 @pytest.mark.parametrize("call, error, text", [
@@ -235,7 +308,8 @@ P, D = make_cylinder(500)
     (lambda: we.extract(records(P)), ValueError, "flag, position, distance"),
     (lambda: we.extract(np.ma.masked_less(P, 0)), ValueError, "masked"),
     (lambda: we.extract(np.empty((0, 3))), ValueError, "no points"),
-    (lambda: we.extract(P[:1].repeat(9, 0)), ValueError, "coincide"),
+    (lambda: we.extract(P[:1].repeat(9, 0)), ValueError, "all points coincide"),
+    (lambda: we.extract(P + 1e13), ValueError, "subtract an offset"),
     (lambda: we.extract(P, D[:-1]), ValueError, "499 numbers for 500 points"),
     (lambda: we.extract(P, np.stack([D, D])), ValueError, "distances has the shape (2, 500)"),
     (lambda: we.extract(P, -D - 1), ValueError, "negative"),
@@ -245,6 +319,30 @@ P, D = make_cylinder(500)
     (lambda: we.extract(P, faces=[[0, 1, -1]]), ValueError, "faces[0]"),
     (lambda: we.extract(P, faces=[[0.0, 1, 2]]), TypeError, "integers"),
     (lambda: we.extract(P, faces=[[0, 1]]), ValueError, "(1, 2)"),
+    (lambda: we.extract(CUBE[0], faces=PADDED), ValueError, "[:, 1:]"),
+    (lambda: we.extract(CUBE[0], faces=PADDED.ravel()), ValueError, ".reshape(-1, 4)[:, 1:]"),
+    (lambda: we.extract(P, faces=[[0, 1, 2], [0, 1, 2, 3]]), ValueError, "different numbers of corners"),
+    (lambda: we.extract(P, faces=[]), ValueError, "faces is empty"),
+    (lambda: we.extract(P, faces=np.ma.masked_equal([[0, 1, 2]], 0)), ValueError, "faces is a masked array"),
+    (lambda: we.extract(P * np.nan, faces=[[0, 1, 2]]), ValueError, "points[0] is not finite"),
+    (lambda: we.extract((P, D)), TypeError, "extract(*cloud)"),
+    (lambda: we.Extractor((P, None)), TypeError, "extract(*cloud)"),
+    (lambda: we.Extractor("scan.ply"), TypeError, "read_cloud('scan.ply')"),
+    (lambda: we.estimate_distances("scan.ply"), TypeError, "read_cloud('scan.ply')"),
+    (lambda: we.extract(Frame(P.astype(object))), TypeError, ".to_numpy(float)"),
+    (lambda: we.extract(Frame(np.column_stack([P, D]))), ValueError, ".iloc[:, :3]"),
+    (lambda: we.extract(P, D, normals=P * np.nan), ValueError, "normals[0] is not finite"),
+    (lambda: we.extract(P, distance=D), TypeError, "did you mean 'distances'?"),
+    (lambda: we.extract(P, thread=1), TypeError, "did you mean 'threads'?"),
+    (lambda: we.extract(P, nthreads=1), TypeError, "did you mean 'threads'?"),
+    (lambda: we.extract(P, normal=P), TypeError, "did you mean 'normals'?"),
+    (lambda: we.extract(P, face=[]), TypeError, "did you mean 'faces'?"),
+    (lambda: we.extract(P, Progress=print), TypeError, "did you mean 'progress'?"),
+    (lambda: we.estimate_distances(P, min_fold=3), TypeError, "did you mean 'minimum_fold'?"),
+    (lambda: we.extract_many([P], job=3), TypeError, "did you mean 'jobs'?"),
+    (lambda: we.read_cloud("a.ply", distance="b.npy"), TypeError, "did you mean 'distances'?"),
+    (lambda: we.extract(P, D, noise_level=-1), ValueError, "noise_level is -1.0; it has to be at least 0"),
+    (lambda: we.extract(__file__, fusion="median"), ValueError, "patches=True"),
     (lambda: we.extract(P, D, corner_radus=4), TypeError, "did you mean 'corner_radius'?"),
     (lambda: we.extract(P, D, normals=P[:-1]), ValueError, "normals has 499 rows for 500 points"),
     (lambda: we.extract(P, D, normals=P[:, :2]), ValueError, "normals has the shape (500, 2)"),

@@ -1,8 +1,10 @@
 """Files: clouds in all formats, wireframes in and out."""
 
 import concurrent.futures
+import errno
 import os
 import pickle
+import sys
 import xml.etree.ElementTree
 
 import numpy as np
@@ -109,7 +111,7 @@ def test_bad_wireframes(text, message, tmp_path):
         we.read(tmp_path / "bad.json")
     with pytest.raises(FileNotFoundError):
         we.read(tmp_path / "missing.json")
-    with pytest.raises(ValueError):
+    with pytest.raises(IsADirectoryError):
         we.read(tmp_path)
 
 
@@ -173,3 +175,93 @@ def test_invalid_wireframe_is_not_written(tmp_path):
 def test_drawing_is_xml(box_wireframe, tmp_path):
     box_wireframe.write(tmp_path / "drawing.svg")
     assert xml.etree.ElementTree.parse(tmp_path / "drawing.svg").getroot().tag.endswith("svg")
+
+
+NAME = b"x\xff" if sys.platform == "linux" else b"x"   # elsewhere, names are always Unicode
+
+
+@pytest.mark.parametrize("call", [
+    we.read, we.read_cloud, we.extract, lambda path: we.evaluate(path, we.Wireframe()),
+    lambda path: we.extract(path, patches=True)])
+def test_names_that_are_no_unicode(call, tmp_path):
+    path = os.fsencode(tmp_path) + b"/" + NAME + b".json"
+    with open(path, "w") as file:
+        file.write("no number")
+    with pytest.raises(ValueError, match="x.*json"):
+        call(path)
+
+
+def test_written_names_that_are_no_unicode(box_wireframe, tmp_path):
+    for extension in (b".html", b".json", b".csv"):
+        box_wireframe.write(os.fsencode(tmp_path) + b"/" + NAME + extension)
+    assert len(os.listdir(tmp_path)) == 3
+    for path in (os.fsencode(tmp_path) + b"/" + NAME, os.fsencode(tmp_path) + b"/" + NAME + b"/a.json"):
+        with pytest.raises((ValueError, OSError)) as raised:
+            box_wireframe.write(path)
+        assert "x" in str(raised.value)
+
+
+def test_names_like_options(tmp_path):
+    path = tmp_path / "a--mesh cad--b-c.xyz"
+    path.write_text("no number\n")
+    for call in (we.extract, we.read_cloud):
+        with pytest.raises(ValueError) as raised:
+            call(path)
+        assert str(path) in str(raised.value)
+
+
+@pytest.mark.parametrize("name, number", [
+    ("missing/a.json", errno.ENOENT), ("missing/a.step", errno.ENOENT), ("missing/a.html", errno.ENOENT),
+    ("folder.json", errno.EISDIR), ("folder.html", errno.EISDIR), ("file/a.obj", errno.ENOTDIR)])
+def test_errors_of_the_system(box_wireframe, name, number, tmp_path):
+    (tmp_path / "folder.json").mkdir()
+    (tmp_path / "folder.html").mkdir()
+    (tmp_path / "file").touch()
+    with pytest.raises(OSError) as raised:
+        box_wireframe.write(tmp_path / name)
+    assert raised.value.errno == number and os.fspath(raised.value.filename) == str(tmp_path / name)
+    assert sorted(os.listdir(tmp_path)) == ["file", "folder.html", "folder.json"]
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root may read everything")
+def test_file_that_may_not_be_read(tmp_path):
+    (tmp_path / "a.json").touch(mode=0)
+    for call in (we.read, we.read_cloud, we.extract):
+        with pytest.raises(PermissionError):
+            call(tmp_path / "a.json")
+
+
+def test_folder_in_place_of_a_file(tmp_path):
+    for call in (we.read, we.read_cloud, we.extract, lambda path: we.evaluate(path, we.Wireframe())):
+        with pytest.raises(IsADirectoryError):
+            call(tmp_path)
+
+
+@pytest.mark.parametrize("name, arguments, error, text", [
+    ("a.obj", {"obj_splines": "no"}, TypeError, "obj_splines is 'no'"), ("a.json", {"step": 0.1}, ValueError, "step"),
+    ("a.json", {"schema": "ap242"}, ValueError, ".step"), ("a.ply", {"obj_splines": True}, ValueError, ".obj")])
+def test_arguments_without_effect(box_wireframe, name, arguments, error, text, tmp_path):
+    with pytest.raises(error, match=text):
+        box_wireframe.write(tmp_path / name, **arguments)
+    assert not os.listdir(tmp_path)
+
+
+def test_empty_wireframe(tmp_path):
+    with pytest.raises(ValueError, match="no curve"):
+        we.Wireframe().write(tmp_path / "a.step")
+
+
+def test_page_arguments(box_wireframe):
+    with pytest.raises(ValueError, match="unit is 'parsec'"):
+        box_wireframe.to_html(unit="parsec")
+    with pytest.raises(TypeError, match="title is None"):
+        box_wireframe.to_html(title=None)
+
+
+def test_what_a_reader_tells(cylinder, tmp_path):
+    np.savetxt(tmp_path / "cloud.xyz", np.column_stack(cylinder))
+    cloud = we.read_cloud(tmp_path / "cloud.xyz")
+    assert len(cloud) == 2 and cloud.note == we.extract(tmp_path / "cloud.xyz").report.note
+    np.savetxt(tmp_path / "bad.xyz", np.column_stack([cylinder[0][:3] * [[np.nan], [1], [1]], cylinder[1][:3]]))
+    bad = we.read_cloud(tmp_path / "bad.xyz", skip_invalid=True)
+    assert bad.number_of_skipped_points == 1 and len(bad.points) == 2

@@ -1,5 +1,8 @@
 """The extraction stage by stage."""
 
+import signal
+import threading
+
 import numpy as np
 import pytest
 from conftest import make_cylinder
@@ -68,15 +71,137 @@ def test_warnings_come_once(cylinder):
     assert ["large errors" in str(warning.message) for warning in caught] == [True] and caught[0].filename == __file__
 
 
-def test_own_results_in_the_middle(box, box_wireframe, tmp_path):
-    extractor = we.Extractor(*box)
+def test_own_results_in_the_middle(cylinder, tmp_path):
+    extractor = we.Extractor(*cylinder, graph_method="subdivided")
+    expected = json_of(we.extract(*cylinder, graph_method="subdivided"), tmp_path)
     extractor.corners = extractor.corners
     extractor.clusters = extractor.clusters
-    assert json_of(extractor.wireframe, tmp_path) == json_of(box_wireframe, tmp_path)
-    extractor.corners = extractor.corners[:4]
-    assert len(extractor.corners) == 4 and len(extractor.wireframe.curves) > 0
+    assert json_of(extractor.wireframe, tmp_path) == expected and len(extractor.wireframe.curves) == 2
     extractor.clusters = [extractor.clusters[0]]
-    assert len(extractor.clusters) == 1
+    assert len(extractor.clusters) == extractor.report.number_of_clusters == len(extractor.wireframe.curves) == 1
+    extractor.corners = [we.Corner([1, 0, 1], 0.1, [])]
+    assert len(extractor.corners) == 1 and len(extractor.clusters) == 2
+
+
+def test_corners_without_effect(cylinder):
+    extractor = we.Extractor(*cylinder)
+    with pytest.raises(ValueError, match="subdivided"):
+        extractor.corners = extractor.corners
+
+
+def noisy_cylinder():
+    """Return so much noise that the wireframe is that of means."""
+    points = make_cylinder(1200)[0]
+    return points + np.random.default_rng(1).normal(scale=0.085, size=points.shape)
+
+
+def test_same_as_extract_with_noise(tmp_path):
+    points = noisy_cylinder()
+    with pytest.warns(we.ExtractionWarning, match="their means"):
+        expected = we.extract(points)
+    extractor = we.Extractor(points)
+    with pytest.warns(we.ExtractionWarning, match="their means") as caught:
+        wireframe = extractor.wireframe
+    assert json_of(wireframe, tmp_path) == json_of(expected, tmp_path)
+    assert len(caught) == 1 and caught[0].filename == __file__
+    assert wireframe.sampling_distance > extractor.sampling_distance
+    with pytest.warns(we.ExtractionWarning, match="their means"):
+        field = we.estimate_distances(points)
+    assert np.array_equal(extractor.distances, field.distances) and len(field.distances) == len(points)
+
+
+def test_same_report_as_extract(cylinder):
+    expected, report = we.extract(*cylinder).report, we.Extractor(*cylinder).wireframe.report
+    different = {name for name in vars(report) if getattr(report, name) != getattr(expected, name)}
+    assert different == {"seconds"} and report.seconds
+
+
+def test_large_cloud_without_distances(tmp_path):
+    points = make_cylinder(2500)[0]
+    extractor = we.Extractor(points, points_in_memory=1000)
+    assert extractor.sampling_distance == we.Extractor(points).sampling_distance
+    expected = json_of(we.extract(points, points_in_memory=1000), tmp_path)
+    assert json_of(extractor.wireframe, tmp_path) == expected
+
+
+def test_stopped_stages_leave_nothing(tmp_path):
+    points = make_cylinder(2500)[0]
+    expected = json_of(we.extract(points), tmp_path)
+    stopped = []
+
+    def progress(share):
+        stage = repr(extractor)
+        if share == 1 and stage not in stopped:   # each of the nine once, at its end
+            stopped.append(stage)
+            raise KeyError("enough")
+
+    extractor = we.Extractor(points, progress=progress)
+    for _ in range(9):
+        with pytest.raises(KeyError, match="enough"):
+            extractor.wireframe
+    assert len(stopped) == 9 and json_of(extractor.wireframe, tmp_path) == expected
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="needs signals")
+def test_interrupted_stages_leave_nothing(tmp_path):
+    points = make_cylinder(2500)[0]
+    extractor = we.Extractor(points)
+
+    def stop(number, frame):
+        raise KeyError("enough")
+    previous = signal.signal(signal.SIGALRM, stop)
+    try:   # within the estimate, which takes most of the time
+        signal.setitimer(signal.ITIMER_REAL, 0.15)
+        with pytest.raises(KeyError, match="enough"):
+            extractor.wireframe
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, previous)
+    assert json_of(extractor.wireframe, tmp_path) == json_of(we.extract(points), tmp_path)
+
+
+def test_many_threads(cylinder, tmp_path):
+    expected = json_of(we.extract(*cylinder), tmp_path)
+    for _ in range(5):
+        extractor = we.Extractor(*cylinder, threads=1)
+        failures = []
+
+        def ask(name):
+            try:
+                getattr(extractor, name)
+            except BaseException as error:
+                failures.append(error)
+        threads = [threading.Thread(target=ask, args=[name]) for name in ("wireframe", "feet", "graph", "corners")]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        assert not failures and json_of(extractor.wireframe, tmp_path) == expected
+
+
+def test_progress_that_asks(cylinder):
+    extractor = we.Extractor(*cylinder, progress=lambda share: extractor.wireframe)
+    with pytest.raises(RuntimeError, match="ask later"):
+        extractor.wireframe
+
+
+def test_own_copy_of_the_cloud(cylinder, tmp_path):
+    points, distances = (array.copy() for array in cylinder)
+    extractor = we.Extractor(points, distances)
+    assert "done: nothing" in repr(extractor) and extractor.report == we.Report()
+    extractor.sampling_distance
+    assert repr(extractor) == "<Extractor: 5000 points with distances; done: measure>"
+    points *= 2
+    distances[:] = 0
+    assert json_of(extractor.wireframe, tmp_path) == json_of(we.extract(*cylinder), tmp_path)
+
+
+def test_smooth_surface():
+    points = np.random.default_rng(5).normal(size=(2000, 3))
+    points /= np.linalg.norm(points, axis=1)[:, None]
+    with pytest.warns(we.ExtractionWarning, match="no wireframe") as caught:
+        wireframe = we.Extractor(points).wireframe
+    assert len(caught) == 1 and not wireframe.curves and "20 degrees" in wireframe.report.message
 
 
 @pytest.mark.parametrize("call, error, text", [
@@ -90,7 +215,7 @@ def test_own_results_in_the_middle(box, box_wireframe, tmp_path):
 ])
 def test_bad_results(cylinder, call, error, text):
     with pytest.raises(error) as raised:
-        call(we.Extractor(*cylinder))
+        call(we.Extractor(*cylinder, graph_method="subdivided"))
     assert text in str(raised.value)
 
 

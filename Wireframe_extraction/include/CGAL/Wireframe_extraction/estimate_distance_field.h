@@ -105,6 +105,10 @@ are `Distance_field::truncation`, and the status is `NO_FEATURE`.
 To go on with the field as `extract_wireframe()` does, the stages that follow have to get `Distance_field::sampling_distance` as
 `sampling_distance` and `Distance_field::noise_level` as `noise_level`.
 
+Where the points err by more than 0.6 r, the field is that of their means, which lie farther apart:
+`Distance_field::sampling_distance` is that of the means, each point has the distance of the nearest one, and the report has a
+warning. `extract_wireframe()` goes on with the means then, and not with the points. A sampling distance that is given is kept.
+
 Complexity: O(n (log n + k)) for n points with k neighbors each. All points are in memory, whatever `points_in_memory` is. The
 result does not depend on the order of the points, and is the same for all tags.
 */

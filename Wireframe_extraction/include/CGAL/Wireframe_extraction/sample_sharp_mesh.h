@@ -157,6 +157,11 @@ bool tell_about_mesh(const NamedParameters& np, const Sharp_mesh_report& report,
 ///     \cgalParamType{`unsigned int`}
 ///     \cgalParamDefault{`0`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{callback}
+///     \cgalParamDescription{a function that is called with the share that is done and returns whether to go on}
+///     \cgalParamType{an instance of `std::function<bool(double)>`}
+///     \cgalParamDefault{unused}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{mesh_report}
 ///     \cgalParamDescription{receives what was found about the mesh}
 ///     \cgalParamType{`std::reference_wrapper<Sharp_mesh_report>`}
@@ -169,7 +174,7 @@ bool tell_about_mesh(const NamedParameters& np, const Sharp_mesh_report& report,
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `true` if there is a cloud, else `false`: there are no faces or none has an area, a face has fewer than three
+/// \return `true` if there is a cloud, else `false`: it was cancelled, there are no faces or none has an area, a face has fewer than three
 ///   vertices or one that does not exist, a coordinate is not finite or beyond 10<sup>150</sup>, or the sampling distance
 ///   would take more than 50 million points. A mesh without a sharp edge is no error: all distances are
 ///   50 sampling distances then.
@@ -184,7 +189,12 @@ bool sample_sharp_mesh(const PointRange& points, const PolygonRange& polygons, s
   const std::string error = internal::make_sharp_mesh(internal::polygon_soup(points, polygons), options, mesh);
   if (!error.empty())
     return internal::tell_about_mesh(np, Sharp_mesh_report(), error);
-  const internal::Mesh_samples samples = internal::sample_mesh(mesh, options);
+  const internal::Mesh_samples samples = internal::sample_mesh(
+    mesh, options,
+    CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, CGAL::internal_np::callback),
+                                       std::function<bool(double)>()));
+  if (samples.points.empty())
+    return internal::tell_about_mesh(np, internal::report_on_mesh(mesh), "cancelled");
   cloud.clear();
   cloud.reserve(samples.points.size());
   for (std::size_t i = 0; i < samples.points.size(); ++i)

@@ -117,7 +117,11 @@ CGAL_WIREFRAME_EXTRACTION_INLINE int dimension(const std::vector<Vector>& positi
 CGAL_WIREFRAME_EXTRACTION_INLINE bool check_dimension(const Surveyed_cloud& cloud, Wireframe_extraction_report& report)
 {
   const int dimension = internal::dimension(cloud.sample().positions);
-  if (dimension < 2)
+  if (dimension == 0 && different_positions(cloud.sample().positions).size() > 1)
+    report.message =
+      "against their distance from the origin, all points nearly coincide, so that their coordinates do not tell "
+      "them apart; subtract an offset from the coordinates";
+  else if (dimension < 2)
     report.message = std::string(dimension == 0 ? "all points coincide" : "all points lie on one line")
       + "; a wireframe needs points of a surface, so check what holds x, y and z";
   if (dimension == 2)

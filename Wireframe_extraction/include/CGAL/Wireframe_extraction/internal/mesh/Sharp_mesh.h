@@ -21,6 +21,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -58,8 +59,10 @@ struct Mesh_samples
 // returns what is wrong, nothing if all went well
 std::string make_sharp_mesh(const Polygon_soup& soup, const Sharp_mesh_options& options, Sharp_mesh& result);
 
-// Points all over a mesh, evenly spread. Distances are cut off at 50 sampling distances.
-Mesh_samples sample_mesh(const Sharp_mesh& mesh, const Sharp_mesh_options& options);
+// Points all over a mesh, evenly spread. Distances are cut off at 50 sampling distances. There are no points if
+// `proceed(share)`, which may be empty, says so.
+Mesh_samples sample_mesh(const Sharp_mesh& mesh, const Sharp_mesh_options& options,
+                         const std::function<bool(double)>& proceed);
 
 } // namespace internal
 } // namespace Wireframe_extraction

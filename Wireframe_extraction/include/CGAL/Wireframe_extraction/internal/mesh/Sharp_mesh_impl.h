@@ -29,6 +29,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <random>
 #include <string>
 #include <unordered_map>
@@ -106,10 +107,16 @@ public:
       m_sums.push_back(sum += area);
   }
 
-  std::vector<Vector> throw_darts(std::size_t number)
+  // no points if it was told to stop
+  std::vector<Vector> throw_darts(std::size_t number, const std::function<bool(double)>& proceed)
   {
+    static constexpr std::size_t darts_between_questions = 4096; // they take some milliseconds
     for (std::size_t i = 0; i < number; ++i)
+    {
+      if (i % darts_between_questions == 0 && !proceed(static_cast<double>(i) / static_cast<double>(number)))
+        return {};
       throw_dart();
+    }
     return std::move(m_points);
   }
 
@@ -170,8 +177,9 @@ private:
 
 // ---- distances ----
 
-// The distances of points to sharp edges, cut off.
-inline std::vector<double> distances_to_edges(const Sharp_mesh& mesh, const std::vector<Vector>& points, double cut)
+// The distances of points to sharp edges, cut off; none if it was told to stop.
+inline std::vector<double> distances_to_edges(const Sharp_mesh& mesh, const std::vector<Vector>& points, double cut,
+                                              const std::function<bool(double)>& proceed)
 {
   typedef CGAL::Simple_cartesian<double> Kernel;
   typedef std::vector<Kernel::Segment_3> Segments;
@@ -198,10 +206,12 @@ inline std::vector<double> distances_to_edges(const Sharp_mesh& mesh, const std:
   }
   CGAL::AABB_tree<Traits> tree(segments.begin(), segments.end());
   tree.accelerate_distance_queries();
-  for_each_piece(points.size(), [&](std::size_t begin, std::size_t end) {
+  const auto measure = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       distances[i] = (std::min)(cut, std::sqrt(tree.squared_distance(point(points[i]))));
-  });
+  };
+  if (!for_each_piece_or_cancel(points.size(), measure, proceed))
+    distances.clear();
   return distances;
 }
 
@@ -236,18 +246,25 @@ CGAL_WIREFRAME_EXTRACTION_INLINE std::string make_sharp_mesh(const Polygon_soup&
   return std::string();
 }
 
-CGAL_WIREFRAME_EXTRACTION_INLINE Mesh_samples sample_mesh(const Sharp_mesh& mesh, const Sharp_mesh_options& options)
+CGAL_WIREFRAME_EXTRACTION_INLINE Mesh_samples sample_mesh(const Sharp_mesh& mesh, const Sharp_mesh_options& options,
+                                                          const std::function<bool(double)>& proceed)
 {
   static constexpr double radius = 0.9;     // sampling distances: the mean distance to the nearest point is one then
   static constexpr double darts = 10.;      // for a point: with more of them, gaps hardly become fewer
   static constexpr double truncation = 50.; // sampling distances, as distances of regressors have it
+  static constexpr double share_of_darts = 0.9; // of the work
+  const auto part = [&proceed](double begin, double end) {
+    return [&proceed, begin, end](double share) { return !proceed || proceed(begin + share * (end - begin)); };
+  };
   Mesh_samples samples;
   const double r = options.sampling_distance > 0. ? options.sampling_distance : choose_sampling_distance(mesh, options);
   const double number = std::ceil(darts * mesh_sample_density * mesh.mesh.area / (r * r));
   samples.sampling_distance = r;
   samples.points = Mesh_dart_thrower(mesh.mesh, mesh.sharp, radius * r, options.random_seed)
-                     .throw_darts(static_cast<std::size_t>(number) + 1);
-  samples.distances = distances_to_edges(mesh, samples.points, truncation * r);
+                     .throw_darts(static_cast<std::size_t>(number) + 1, part(0., share_of_darts));
+  samples.distances = distances_to_edges(mesh, samples.points, truncation * r, part(share_of_darts, 1.));
+  if (samples.distances.empty())
+    samples.points.clear();
   return samples;
 }
 

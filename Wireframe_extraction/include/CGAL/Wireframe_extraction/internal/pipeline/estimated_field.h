@@ -17,6 +17,7 @@
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/best_field.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/estimate_distances.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/survey_for_stage.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
@@ -37,17 +38,21 @@ template <class NamedParameters>
 Distance_field estimated_field(Distance_cloud_source& source, Stage_call& call, const NamedParameters& np)
 {
   typedef Wireframe_extraction_report::Status Status;
-  Distance_field field;
   Surveyed_cloud cloud(source, (std::numeric_limits<std::size_t>::max)());
-  if (!survey_for_stage(cloud, call, given_sampling_distance(np), np))
-    return field;
-  const double unit = call.report().sampling_distance;
-  if (!estimate_distances(cloud, unit, call.options().minimum_fold, call.progress(), field))
+  const double given = given_sampling_distance(np);
+  if (!survey_for_stage(cloud, call, given, np))
     return Distance_field();
-  report_field(field, call.report());
-  if (field.number_of_near_points == 0)
+  Best_field best;
+  if (!estimate_best_field(cloud, call.report().sampling_distance, given > 0., call.options().minimum_fold,
+                           call.progress(), best))
+    return Distance_field();
+  call.report().sampling_distance = best.field.sampling_distance;
+  report_field(best.field, call.report());
+  if (best.means)
+    call.report().warnings.push_back(best.warning);
+  if (best.field.number_of_near_points == 0)
     call.fail(Status::NO_FEATURE, no_fold_message(call.options().minimum_fold));
-  return field;
+  return best.field;
 }
 
 // puts a value to each element of a range

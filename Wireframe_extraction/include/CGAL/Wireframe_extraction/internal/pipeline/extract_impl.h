@@ -22,7 +22,6 @@
 #include <CGAL/Wireframe_extraction/internal/base/Plain_traits.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/input_checks.h>
-#include <CGAL/Wireframe_extraction/internal/estimate/mean_points.h>
 #include <CGAL/Wireframe_extraction/internal/field/contract.h>
 #include <CGAL/Wireframe_extraction/internal/field/refine.h>
 #include <CGAL/Wireframe_extraction/internal/field/select_skeleton.h>
@@ -32,26 +31,22 @@
 #include <CGAL/Wireframe_extraction/internal/network/segment_curves.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/Extraction_request.h>
-#include <CGAL/Wireframe_extraction/internal/pipeline/Mean_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/Plain_visitor.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/Stage_runner.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/best_field.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/estimate_distances.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/extract.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/find_doubts.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/find_unit.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/stage_reports.h>
 #include <CGAL/Wireframe_extraction/internal/types/recognize.h>
 
 #include <CGAL/Real_timer.h>
-#include <CGAL/number_utils.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
-#include <iomanip>
 #include <limits>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,7 +59,6 @@ namespace internal {
 class Extraction
 {
   typedef Wireframe_extraction_report Report;
-  typedef Wireframe_curve<Plain_traits> Curve;
   typedef Wireframe_skeleton<Plain_traits> Skeleton;
 
   const Extraction_request& m_request;
@@ -74,9 +68,8 @@ class Extraction
   Stage_runner m_runner;
   const std::function<bool(double)> m_progress;
   double m_share_before = 0.;              // of the work that was done for the field
-  std::unique_ptr<Mean_cloud> m_means;     // what is looked at instead of a cloud with much noise
+  Best_field m_field;                      // if it had to be estimated; the cloud may be that of its means
   std::unique_ptr<Surveyed_cloud> m_cloud; // as long as it is needed
-  Distance_field m_field;                  // if it had to be estimated
   Skeleton m_skeleton;
   std::vector<Wireframe_corner<Plain_traits>> m_corners;
   std::vector<std::vector<std::size_t>> m_clusters;
@@ -96,7 +89,7 @@ public:
     if (!read(source) || !find_scale() || !find_field() || !find_skeleton() || !find_curves() || !fit_all()
         || !doubt_curves())
       return Wireframe<Plain_traits>();
-    summarize();
+    report_wireframe(m_wireframe, m_report);
     return m_wireframe;
   }
 
@@ -154,47 +147,32 @@ private:
     static constexpr double share_when_done = 0.5;
     if (m_cloud->has_distances())
       return true;
-    if (!stage("field", share_when_done, [&] { estimate_field_at_best_scale(); }))
+    if (!stage("field", share_when_done, [&] { estimate_best(); }))
       return false;
     const double unit = m_report.sampling_distance;
     m_share_before = share_when_done;
-    report_field(m_field, m_report);
-    m_visitor.field_estimated(m_field);
-    if (m_field.number_of_near_points == 0)
+    const Distance_field& field = m_field.field;
+    report_field(field, m_report);
+    m_visitor.field_estimated(field);
+    if (field.number_of_near_points == 0)
       return fail(Report::Status::NO_FEATURE, no_fold_message(m_options.minimum_fold));
-    m_cloud->set_distances(m_field.distances);
-    m_options.noise_level = m_options.noise_or(m_field.noise_level);
+    m_cloud->set_distances(field.distances);
+    m_options.noise_level = m_options.noise_or(field.noise_level);
     return check_truncation(*m_cloud, unit, m_options, m_report)
       || fail(Report::Status::INVALID_INPUT, m_report.message);
   }
 
-  void estimate_field_at_best_scale()
+  void estimate_best()
   {
     const double unit = m_report.sampling_distance;
-    if (!estimate_distances(*m_cloud, unit, m_options.minimum_fold, m_progress, m_field)
-        || m_request.sampling_distance > 0. || !(m_field.point_noise > most_point_noise * unit))
+    if (!estimate_best_field(*m_cloud, unit, m_request.sampling_distance > 0., m_options.minimum_fold, m_progress,
+                             m_field)
+        || !m_field.cloud)
       return;
-    auto means = std::make_unique<Mean_cloud>(*m_cloud, unit);
-    auto cloud = std::make_unique<Surveyed_cloud>(*means, (std::numeric_limits<std::size_t>::max)());
-    cloud->survey();
-    const double coarse_unit = cloud->scale().sampling_distance;
-    if (!(coarse_unit > unit))
-      return;
-    const double point_noise = m_field.point_noise;
-    // its share of the progress is used up
-    if (!estimate_distances(
-          *cloud, coarse_unit, m_options.minimum_fold, [&](double) { return m_progress(1.); }, m_field))
-      return;
-    m_field.point_noise = point_noise;
-    complete_field(*m_cloud, *cloud, m_field);
-    m_cloud = std::move(cloud);
-    m_means = std::move(means);
-    m_report.sampling_distance = coarse_unit;
-    m_visitor.sampling_distance_estimated(coarse_unit);
-    std::ostringstream text;
-    text << std::setprecision(3) << "the points err by " << point_noise << ", more than they lie apart (" << unit
-         << "): the wireframe is that of their means, which lie " << coarse_unit << " apart";
-    m_report.warnings.push_back(text.str());
+    m_cloud = std::move(m_field.cloud);
+    m_report.sampling_distance = m_field.field.sampling_distance;
+    m_visitor.sampling_distance_estimated(m_report.sampling_distance);
+    m_report.warnings.push_back(m_field.warning);
   }
 
   bool find_skeleton()
@@ -204,8 +182,7 @@ private:
                [&] { m_skeleton = Skeleton(select_skeleton(*m_cloud, unit, m_options), Plain_traits()); })
         || !is_readable())
       return false;
-    m_report.skeleton_size = m_skeleton.size();
-    warn_of_points_left_out();
+    report_skeleton(m_skeleton.data(), m_report);
     if (m_skeleton.is_empty())
       return fail(Report::Status::NO_FEATURE, no_feature_message(*m_cloud, unit, m_options.skeleton_distance));
     m_visitor.skeleton_selected(m_skeleton);
@@ -229,19 +206,6 @@ private:
       refine(m_skeleton.data(), m_options, m_progress);
   }
 
-  void warn_of_points_left_out()
-  {
-    m_report.number_of_duplicates = m_skeleton.number_of_duplicates();
-    m_report.number_of_strays = m_skeleton.number_of_strays();
-    const auto warn = [&](std::size_t number, const char* reason) {
-      if (number > 0)
-        m_report.warnings.push_back("points near features that were left out since they lie " + std::string(reason)
-                                    + ": " + std::to_string(number));
-    };
-    warn(m_report.number_of_duplicates, "exactly where others do");
-    warn(m_report.number_of_strays, "more than 1e9 sampling distances away from the others");
-  }
-
   bool find_curves()
   {
     if (!stage("corners", 0.62, [&] { m_corners = detect_corners(m_skeleton, m_options); }))
@@ -262,7 +226,7 @@ private:
     if (!stage("splines", 0.92, [&] { m_wireframe = fit(m_skeleton, m_graph, m_options, m_progress); }))
       return false;
     if (m_wireframe.is_empty())
-      return fail(Report::Status::NO_FEATURE, "no curve explains the field");
+      return fail(Report::Status::NO_FEATURE, no_curve_message());
     m_visitor.curves_fitted(m_wireframe);
     if (!m_options.recognize_types)
       return true;
@@ -276,28 +240,6 @@ private:
   bool doubt_curves()
   {
     return stage("doubts", 1., [&] { find_doubts(m_skeleton.data(), m_options, m_wireframe, m_progress); });
-  }
-
-  void summarize()
-  {
-    std::vector<std::size_t> ends(m_wireframe.vertices.size(), 0);
-    double squares = 0., support = 0.;
-    for (const Curve& curve : m_wireframe.curves)
-    {
-      if (curve.source != curve.no_vertex)
-      {
-        ++ends[curve.source];
-        ++ends[curve.target];
-      }
-      squares += CGAL::square(curve.rms) * double(curve.support);
-      support += double(curve.support);
-      m_report.max = (std::max)(m_report.max, curve.max);
-      m_report.number_of_doubtful_curves += std::size_t(curve.is_doubtful());
-    }
-    m_report.rms = support > 0. ? std::sqrt(squares / support) : 0.;
-    m_report.number_of_free_ends = std::count(ends.begin(), ends.end(), std::size_t(1));
-    m_report.number_of_corners = m_wireframe.vertices.size() - m_report.number_of_free_ends;
-    m_report.number_of_curves = m_wireframe.curves.size();
   }
 };
 

@@ -16,7 +16,9 @@
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/input_checks.h>
+#include <CGAL/Wireframe_extraction/internal/field/Skeleton_data.h>
 #include <CGAL/Wireframe_extraction/internal/field/select_skeleton.h>
+#include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
 #include <CGAL/Wireframe_extraction/internal/options/points_in_memory.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/survey_for_stage.h>
@@ -26,26 +28,36 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// The skeleton of a cloud, for the stage that is called alone; empty if the report has something to say.
-template <class NamedParameters>
-Skeleton_data selected_skeleton(Distance_cloud_source& source, Stage_call& call, const NamedParameters& np)
+// The skeleton of a cloud whose sampling distance is known; empty if the report has something to say.
+inline Skeleton_data skeleton_of(const Surveyed_cloud& cloud, double unit, const Extraction_options& options,
+                                 Wireframe_extraction_report& report)
 {
   typedef Wireframe_extraction_report::Status Status;
-  Surveyed_cloud cloud(source, points_in_memory(np));
-  if (!survey_for_stage(cloud, call, given_sampling_distance(np), np))
-    return Skeleton_data();
-  const double unit = call.report().sampling_distance;
-  Skeleton_data skeleton = select_skeleton(cloud, unit, call.options());
-  if (call.options().use_creases && skeleton.size() > 0)
-    select_surroundings(cloud, call.options(), skeleton);
+  Skeleton_data skeleton = select_skeleton(cloud, unit, options);
+  if (options.use_creases && skeleton.size() > 0)
+    select_surroundings(cloud, options, skeleton);
   if (!cloud.error().empty())
   {
-    call.fail(Status::INVALID_INPUT, cloud.error());
+    report.status = Status::INVALID_INPUT;
+    report.message = cloud.error();
     return Skeleton_data();
   }
   if (skeleton.size() == 0)
-    call.fail(Status::NO_FEATURE, no_feature_message(cloud, unit, call.options().skeleton_distance));
+  {
+    report.status = Status::NO_FEATURE;
+    report.message = no_feature_message(cloud, unit, options.skeleton_distance);
+  }
   return skeleton;
+}
+
+// The same for the stage that is called alone.
+template <class NamedParameters>
+Skeleton_data selected_skeleton(Distance_cloud_source& source, Stage_call& call, const NamedParameters& np)
+{
+  Surveyed_cloud cloud(source, points_in_memory(np));
+  if (!survey_for_stage(cloud, call, given_sampling_distance(np), np))
+    return Skeleton_data();
+  return skeleton_of(cloud, call.report().sampling_distance, call.options(), call.report());
 }
 
 } // namespace internal
