@@ -238,7 +238,6 @@ void test_pairs_of_sheets()
   Sheet_pair pair(a, b, tolerance);
   assert(pair.meet_near(Vector(0.8, 0.3, 0.)));
   assert((pair.foot() - Vector(0., 0.3, 0.)).norm() < 1e-9);
-  assert(std::abs(pair.angle() - CGAL_PI / 2.) < 1e-9);
   // planes that are parallel, or meet far away, do not meet
   const Sheet c = plane(Vector(0., 0., 2.), Vector(0., 0., 1.));
   assert(!Sheet_pair(a, c, tolerance).meet_near(Vector(0.8, 0.3, 0.)));
@@ -255,8 +254,10 @@ void test_pairs_of_sheets()
       corner.push_back(Vector(0., y, t));
       crossing.push_back(Vector(0., y, t));
     }
-  assert(pair.both_end(corner));
-  assert(!pair.both_end(crossing)); // one of the sheets goes on
+  assert(pair.find_ends(crossing) == Sheet_pair::Ends::NOT_BOTH); // one of the sheets goes on
+  assert(pair.find_ends(Points(1, corner[0])) == Sheet_pair::Ends::UNKNOWN);
+  assert(pair.find_ends(corner) == Sheet_pair::Ends::BOTH);
+  assert(std::abs(pair.angle() - CGAL_PI / 2.) < 1e-9);
   assert(pair.margin(corner, 0.04) > 30.);
 
   // a cylinder is no fold, though the tangent planes of two of its places meet
@@ -272,6 +273,33 @@ void test_pairs_of_sheets()
   Sheet_pair smooth(left, right, tolerance);
   assert(smooth.meet_near(Vector(0., 0., radius)));
   assert(smooth.margin(round, 0.04) < 15.);
+}
+
+// The same two planes are folded a little if their points lie to both sides of where they meet, and the edge of a knife if
+// they lie to one side.
+void test_angles_of_folds()
+{
+  for (double degrees : {15., 25., 60., 90., 120., 155., 165.})
+  {
+    const double fold = degrees * CGAL_PI / 180., tilt = fold / 2.;
+    Points points;
+    for (double side : {1., -1.})
+      for (double t = 0.5; t < 2.; t += 0.25)
+        for (double y = -1.5; y <= 1.5; y += 0.5)
+          points.push_back(Vector(side * t * std::cos(tilt), y, -t * std::sin(tilt)));
+    const auto sheet = [&](double side, double sign) {
+      return plane(Vector(side * std::cos(tilt), 0., -std::sin(tilt)),
+                   sign * Vector(side * std::sin(tilt), 0., std::cos(tilt)));
+    };
+    for (double sign : {1., -1.}) // sheets have no sides
+    {
+      const Sheet a = sheet(1., 1.), b = sheet(-1., sign);
+      Sheet_pair pair(a, b, 0.12);
+      assert(pair.meet_near(Vector(0.1, 0.2, 0.)));
+      assert(pair.find_ends(points) == Sheet_pair::Ends::BOTH);
+      assert(std::abs(pair.angle() - fold) < 1e-6);
+    }
+  }
 }
 
 void test_votes()
@@ -331,35 +359,45 @@ void test_weak_folds_with_noise()
   }
 }
 
-void test_distances_from_a_fold()
+// a fold along the y axis, of faces that are 15 wide and 2 `length` long there
+void test_distances_from_a_fold(double degrees, double length, double noise, double most_error)
 {
   Sampler sampler(6);
-  for (double noise : {0., 0.25})
-    for (double degrees : {60., 90.})
+  const Points points = sampler.folded_plane(degrees * CGAL_PI / 180., 15., length, noise);
+  Field_estimate estimate;
+  assert(estimate_field(points, 20., go_on, estimate));
+  assert(estimate.distances.size() == points.size() && estimate.deviations.size() == points.size());
+  std::vector<double> errors;
+  std::size_t far = 0, seen_as_near = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const double truth = std::hypot(points[i].x(), points[i].z());
+    if (std::abs(points[i].y()) > (std::min)(11., length - 1.) || truth > 11.)
+      continue; // the border of the cloud
+    if (truth < 3.)
+      errors.push_back(std::abs(estimate.distances[i] - truth));
+    else if (truth > 5.)
     {
-      const Points points = sampler.folded_plane(degrees * CGAL_PI / 180., 15., 15., noise);
-      Field_estimate estimate;
-      assert(estimate_field(points, 20., go_on, estimate));
-      assert(estimate.distances.size() == points.size() && estimate.deviations.size() == points.size());
-      std::vector<double> errors;
-      std::size_t far = 0, seen_as_near = 0;
-      for (std::size_t i = 0; i < points.size(); ++i)
-      {
-        const double truth = std::hypot(points[i].x(), points[i].z());
-        if (std::abs(points[i].y()) > 11. || truth > 11.)
-          continue; // the border of the cloud
-        if (truth < 3.)
-          errors.push_back(std::abs(estimate.distances[i] - truth));
-        else if (truth > 5.)
-        {
-          ++far;
-          seen_as_near += estimate.distances[i] < 1.5;
-        }
-        assert(estimate.distances[i] >= 0. && estimate.distances[i] <= Field_estimate::truncation);
-      }
-      assert(median_of(errors) < (noise > 0. ? 0.35 : 0.05));
-      assert(far > 100 && double(seen_as_near) <= 0.02 * double(far));
+      ++far;
+      seen_as_near += estimate.distances[i] < 1.5;
     }
+    assert(estimate.distances[i] >= 0. && estimate.distances[i] <= Field_estimate::truncation);
+  }
+  assert(median_of(errors) < most_error);
+  assert(far > 40 && double(seen_as_near) <= 0.02 * double(far));
+}
+
+void test_distances_from_folds()
+{
+  for (double degrees : {60., 90.})
+  {
+    test_distances_from_a_fold(degrees, 15., 0., 0.05);
+    test_distances_from_a_fold(degrees, 15., 0.25, 0.35);
+  }
+  for (double degrees : {150., 156., 160.}) // knives, of which the faces tell less well where they meet
+    test_distances_from_a_fold(degrees, 15., 0., 0.25);
+  for (double degrees : {45., 60., 90.}) // across a narrow face
+    test_distances_from_a_fold(degrees, 3.5, 0., 0.05);
 }
 
 void test_smooth_surfaces_have_no_features()
@@ -410,10 +448,11 @@ int main()
   test_sheets_next_to_a_fold();
   test_sheets_turn_with_their_points();
   test_pairs_of_sheets();
+  test_angles_of_folds();
   test_votes();
   test_ends_of_folds();
   test_weak_folds_with_noise();
-  test_distances_from_a_fold();
+  test_distances_from_folds();
   test_smooth_surfaces_have_no_features();
   test_degenerate_clouds_and_cancelling();
   return 0;

@@ -208,6 +208,19 @@ private:
       ball.push_back(m_points[j]);
   }
 
+  // in the smallest ball that tells: of narrow faces few points are near
+  bool do_both_end(Sheet_pair& pair, std::vector<std::size_t>& found, std::vector<Vector>& around) const
+  {
+    for (double radius : m_scales.radii_of_ends)
+    {
+      collect(pair.foot(), radius, found, around);
+      const Sheet_pair::Ends ends = pair.find_ends(around);
+      if (ends != Sheet_pair::Ends::UNKNOWN)
+        return ends == Sheet_pair::Ends::BOTH;
+    }
+    return false;
+  }
+
   struct Meeting
   {
     Vector foot;
@@ -234,7 +247,7 @@ private:
           || std::abs(sheets[j].offset(m_points[i])) < tolerance)
         continue;
       Sheet_pair pair(sheets[i], sheets[j], tolerance);
-      if (!pair.meet_near(m_points[i]) || pair.angle() < (std::max)(least_angle, m_minimum_fold))
+      if (!pair.meet_near(m_points[i]))
         continue;
       const double distance = (pair.foot() - m_points[i]).norm();
       if (distance > farthest_foot || (pair.foot() - m_points[j]).norm() > neighborhood)
@@ -242,11 +255,10 @@ private:
       if (std::any_of(meetings.begin(), meetings.end(),
                       [&](const Meeting& m) { return (m.foot - pair.foot()).norm() < same; }))
         continue;
-      collect(pair.foot(), m_scales.radius_of_ends, found, around);
-      if (!pair.both_end(around))
+      if (!do_both_end(pair, found, around) || pair.angle() < (std::max)(least_angle, m_minimum_fold))
         continue;
       collect(pair.foot(), m_scales.radius_of_margin, found, around);
-      const double margin = pair.margin(around, m_scales.deviation);
+      const double margin = pair.margin(around, m_scales.deviation_of_sheets);
       if (margin > least_margin)
         meetings.push_back({pair.foot(), distance, margin});
     }

@@ -26,6 +26,8 @@ struct Fold_scales
 {
   // Surfaces are no quadrics: so much they leave one in a ball of these radii, beside the noise.
   static constexpr double least_deviation = 0.04;
+  // no points are better
+  static constexpr double least_noise = 0.01;
   // The chi square that a fold gains grows with the fourth power of the radius, and falls with the square of the noise: with
   // this noise balls are larger by 1.
   static constexpr double typical_noise = 0.25;
@@ -44,21 +46,25 @@ struct Fold_scales
     double most_residual;  // beside the fold, in standard deviations of the points: else there is more than a fold
   };
 
-  double deviation;       // standard deviation of the points
+  double deviation; // standard deviation of the points from a quadric
+  // of those from the two sheets of a pair, which tell by what they leave how far they are no quadrics
+  double deviation_of_sheets;
   bool are_frames_turned; // whether folds are fitted in frames of their own
   bool are_wide_balls_asked;
   Balls small, large, wide;                     // small and large ones always
   static constexpr double strong_evidence = 6.; // a sure fold has more
   double vote_radius;                           // a vote needs so many others within it
   std::size_t least_votes;
-  double sheet_radius;                     // of the balls in which sheets are fitted
-  double plane_radius, plane_reach;        // of those in which planes are, and how far away planes are taken from
-  double radius_of_ends, radius_of_margin; // of those in which two sheets are compared
+  double sheet_radius;              // of the balls in which sheets are fitted
+  double plane_radius, plane_reach; // of those in which planes are, and how far away planes are taken from
+  double radii_of_ends[3],
+    radius_of_margin; // of those in which two sheets are compared; the smallest that tells counts
 
   explicit Fold_scales(double noise)
   {
     const double share = noise / typical_noise, part = (std::min)(1., share);
     deviation = std::sqrt(noise * noise + least_deviation * least_deviation);
+    deviation_of_sheets = std::sqrt(noise * noise + least_noise * least_noise);
     are_frames_turned = share <= most_share_to_turn_frames;
     are_wide_balls_asked = share > least_share_for_wide_balls;
     constexpr double any = (std::numeric_limits<double>::infinity)();
@@ -70,7 +76,8 @@ struct Fold_scales
     sheet_radius = 3. + share;
     plane_radius = 1.6 + 0.5 * share;
     plane_reach = 2.5 + 0.5 * share;
-    radius_of_ends = 1.5 + share;
+    for (int n = 0; n < 3; ++n)
+      radii_of_ends[n] = 1.5 + 0.75 * n + share;
     radius_of_margin = 3. + share;
   }
 };

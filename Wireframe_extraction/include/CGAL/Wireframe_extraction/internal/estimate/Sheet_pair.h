@@ -34,6 +34,7 @@ class Sheet_pair
   double m_tolerance; // points farther from a sheet are not on it
   Vector m_foot = Vector::Zero(), m_direction = Vector::Zero(), m_normal_of_a = Vector::Zero(),
          m_normal_of_b = Vector::Zero();
+  double m_angle = 0.;
 
   static constexpr double least_sine = 0.2; // between their normals: else the curve is not known
   static constexpr int number_of_steps = 4; // of Newton's method; the sheets are nearly plane
@@ -44,8 +45,8 @@ public:
   Sheet_pair(const Sheet& a, const Sheet& b, double tolerance) : m_a(a), m_b(b), m_tolerance(tolerance) {}
 
   const Vector& foot() const { return m_foot; }
-  // of the fold, in radians, up to 90 degrees: sheets have no sides
-  double angle() const { return std::acos((std::min)(1., std::abs(m_normal_of_a.dot(m_normal_of_b)))); }
+  // Of the fold, in radians: 0 where the sheets go on into one another, nearly pi at the edge of a knife. Known where both end.
+  double angle() const { return m_angle; }
 
   // finds where they meet, as near to a place as possible; returns whether they do
   bool meet_near(const Vector& place)
@@ -68,9 +69,16 @@ public:
     return true;
   }
 
-  // whether each ends where it meets the other, by the points around that place: then nearly all of its points are on one
-  // side of the other
-  bool both_end(const std::vector<Vector>& around) const
+  enum class Ends
+  {
+    BOTH,
+    NOT_BOTH,
+    UNKNOWN // of one of them there are too few points
+  };
+
+  // Whether each ends where it meets the other, by the points around that place: then nearly all of its points are on one
+  // side of the other.
+  Ends find_ends(const std::vector<Vector>& around)
   {
     static constexpr int least_points = 2;     // of each sheet
     static constexpr double clear_share = 0.5; // of the tolerance
@@ -86,10 +94,14 @@ public:
       else if (to_b < m_tolerance && to_b < to_a && to_a > clear_share * m_tolerance)
         ++sides[1][from_a > 0.];
     }
-    return std::all_of(sides, sides + 2, [](const int(&side)[2]) {
-      const int all = side[0] + side[1];
-      return all >= least_points && (std::min)(side[0], side[1]) <= most_beyond * all;
-    });
+    for (const int(&side)[2] : sides)
+      if (side[0] + side[1] < least_points)
+        return Ends::UNKNOWN;
+    for (const int(&side)[2] : sides)
+      if ((std::min)(side[0], side[1]) > most_beyond * (side[0] + side[1]))
+        return Ends::NOT_BOTH;
+    measure_angle(sides[0][1] > sides[0][0], sides[1][1] > sides[1][0]);
+    return Ends::BOTH;
   }
 
   // By how much the pair explains its points better than a smooth sheet that bends across the fold, a quadric and t^3 and
@@ -112,6 +124,17 @@ public:
   }
 
 private:
+  // by which side of the other sheet the points of each lie on
+  void measure_angle(bool is_a_above_b, bool is_b_above_a)
+  {
+    Vector from_fold_on_a = m_direction.cross(m_normal_of_a), from_fold_on_b = m_direction.cross(m_normal_of_b);
+    if ((m_normal_of_b.dot(from_fold_on_a) > 0.) != is_a_above_b)
+      from_fold_on_a = -from_fold_on_a;
+    if ((m_normal_of_a.dot(from_fold_on_b) > 0.) != is_b_above_a)
+      from_fold_on_b = -from_fold_on_b;
+    m_angle = std::acos((std::max)(-1., (std::min)(1., -from_fold_on_a.dot(from_fold_on_b))));
+  }
+
   static constexpr int parameters = 8;            // of the smooth sheet
   typedef std::array<double, parameters + 1> Row; // and the height
   mutable std::vector<Row> m_rows;
