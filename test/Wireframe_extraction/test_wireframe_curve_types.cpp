@@ -447,10 +447,10 @@ void test_cancelled_fit()
 {
   int calls = 0;
   const std::function<bool(double)> proceed = [&](double) { return ++calls < 4; };
-  Cancellation cancellation(proceed);
+  Progress progress(proceed);
   Primitive_network_fit network = network_of_parts(3, true);
-  Primitive_parts().run(network, &cancellation);
-  assert(cancellation.is_cancelled() && calls == 4);
+  Primitive_parts().run(network, &progress);
+  assert(progress.is_cancelled() && calls == 4);
 }
 
 // An elliptic arc between two vertices that lines hold passes through them.

@@ -288,10 +288,41 @@ void test_cancelling()
   assert(report.status == Status::SUCCESS && skeleton.is_contracted());
   assert(!WE::refine_field(skeleton, stop) && report.status == Status::CANCELLED && report.message == "cancelled");
   assert(WE::refine_field(skeleton, WP::extraction_report(std::ref(report))) && report.status == Status::SUCCESS);
-  const auto corners = WE::detect_corners(skeleton);
+  const auto corners = WE::detect_corners(skeleton, WP::extraction_report(std::ref(report)));
+  assert(report.status == Status::SUCCESS);
+  for (const WE::Corner_measure measure : {WE::Corner_measure::FIELD_RESIDUAL, WE::Corner_measure::VARIANCE})
+  {
+    const auto np = WP::corner_measure(measure).corner_residual(0.).corner_variance(0.);
+    assert(!WE::detect_corners(skeleton, np).empty());
+    spoil(report);
+    const auto stopped = np.extraction_report(std::ref(report)).callback([](double) { return false; });
+    assert(WE::detect_corners(skeleton, stopped).empty() && report.status == Status::CANCELLED);
+  }
+  // also later than at the first question
+  std::size_t asked = 0;
+  const auto late = WP::corner_measure(WE::Corner_measure::VARIANCE).extraction_report(std::ref(report));
+  assert(WE::detect_corners(skeleton, late.corner_variance(0.).callback([&](double) { return ++asked < 2; })).empty());
+  assert(report.status == Status::CANCELLED && asked == 2);
   const auto clusters = WE::segment_curves(skeleton, corners);
+  assert(!clusters.empty());
+  assert(WE::segment_curves(skeleton, corners, stop).empty() && report.status == Status::CANCELLED);
   (void)WE::build_topological_graph(skeleton, corners, clusters, stop);
   assert(report.status == Status::CANCELLED);
+  // the published graph asks for each curve and each of its points
+  const auto subdivided = WP::graph_method(WE::Graph_method::SUBDIVIDED).split_threshold(0.01);
+  std::size_t calls = 0;
+  (void)WE::build_topological_graph(skeleton, corners, clusters,
+                                    subdivided.callback([&](double) { return ++calls > 0; }));
+  assert(calls > clusters.size() + 10);
+  for (const std::size_t most : {std::size_t(1), std::size_t(3), calls - 1})
+  {
+    std::size_t made = 0;
+    spoil(report);
+    (void)WE::build_topological_graph(
+      skeleton, corners, clusters,
+      subdivided.extraction_report(std::ref(report)).callback([&](double) { return ++made < most; }));
+    assert(made == most && report.status == Status::CANCELLED);
+  }
   const auto graph = WE::build_topological_graph(skeleton, corners, clusters, WP::extraction_report(std::ref(report)));
   assert(report.status == Status::SUCCESS);
   (void)WE::fit_curves(skeleton, graph, stop);

@@ -730,6 +730,100 @@ void test_gaps()
     }
 }
 
+// Cancelling -------------------------------------------------------------------------------------------
+
+// Cells far from each other, in each of which every step finds something: ends that agree, an end beside another curve, a
+// crossing, a gap, a free end before a node, a fork that only one crease holds, and a spur.
+Curve_network network_of_cells(std::size_t side)
+{
+  std::vector<Polyline> lines;
+  const auto add = [&](const Vector& from, const Vector& to) { lines.push_back(straight(from, to)); };
+  for (std::size_t i = 0; i < side; ++i)
+    for (std::size_t j = 0; j < side; ++j)
+    {
+      const Vector cell(120. * double(i), 120. * double(j), 0.);
+      const auto at = [&](double x, double y, double z) { return Vector(cell + Vector(x, y, z)); };
+      for (int axis = 0; axis < 3; ++axis)
+        add(cell + 0.4 * Vector::Unit(axis), cell + 10. * Vector::Unit(axis));
+      add(at(30., 0., 0.), at(30., 30., 0.));
+      add(at(30.4, 15., 0.), at(40., 15., 20.));
+      add(at(45., 10., 0.), at(65., 10., 0.));
+      add(at(55., 0., 0.1), at(55., 20., 0.1));
+      add(at(40., 40., 0.), at(50., 40., 0.));
+      add(at(58., 40., 0.), at(68., 40., 0.));
+      add(at(0., 60., 0.), at(0., 80., 0.));
+      add(at(0., 60., 0.), at(0., 60., 20.));
+      add(at(5., 60., 0.), at(25., 60., 0.));
+      add(at(60., 60., 0.), at(62., 60., 0.));
+    }
+  return network_of(lines);
+}
+
+// A step asks at least so often whether to go on. Wherever it is told not to, it asks no more, and leaves a network.
+template <class Step>
+void check_cancelling(const Curve_network& network, std::size_t least, const Step& step)
+{
+  std::size_t calls = 0;
+  const std::function<bool(double)> count = [&](double) { return ++calls > 0; };
+  Progress counting(count);
+  Curve_network all = network;
+  step(all, counting);
+  check_ends(all);
+  assert(calls >= least && !counting.is_cancelled());
+  for (std::size_t most = 1; most < calls; most += 1 + calls / 12)
+  {
+    std::size_t made = 0;
+    const std::function<bool(double)> stop = [&](double) { return ++made < most; };
+    Progress stopping(stop);
+    Curve_network some = network;
+    step(some, stopping);
+    assert(made == most && stopping.is_cancelled());
+    check_ends(some);
+  }
+}
+
+void test_cancelling()
+{
+  const Curve_network network = network_of_cells(6);
+  const std::size_t nodes = network.nodes.size(), curves = network.curves.size(), cells = 36;
+  const auto check_joiner = [&](std::size_t least, const auto& step) {
+    check_cancelling(network, least, [&](Curve_network& n, Progress& progress) {
+      Curve_end_joiner joiner(n, options, &progress);
+      step(joiner);
+    });
+  };
+  const auto check_corners = [&](std::size_t least, const auto& step) {
+    check_cancelling(network, least, [&](Curve_network& n, Progress& progress) {
+      Corner_merger merger(n, options, &progress);
+      step(merger);
+    });
+  };
+  const auto check_tangencies = [&](std::size_t least, const auto& step) {
+    check_cancelling(network, least, [&](Curve_network& n, Progress& progress) {
+      Tangency_resolver resolver(n, options, &progress);
+      step(resolver);
+    });
+  };
+  check_corners(nodes + 2 * cells, [](Corner_merger& m) { m.merge_nodes_that_agree(); });
+  check_corners(nodes + cells, [](Corner_merger& m) { m.attach_ends_to_passing_curves(); });
+  check_corners(curves + cells, [](Corner_merger& m) { m.split_crossings(); });
+  // for each node, also where smooth joints are dissolved, and for each free end, which all nodes have but the forks
+  check_tangencies(3 * nodes - cells, [](Tangency_resolver& t) { t.bridge_tangencies(); });
+  check_tangencies(curves, [](Tangency_resolver& t) { t.close_acute_corners(); });
+  check_tangencies(1, [](Tangency_resolver& t) { t.separate_tangent_curves(); });
+  check_joiner(nodes, [](Curve_end_joiner& j) { j.bridge_gaps(); });
+  check_joiner(nodes, [](Curve_end_joiner& j) { j.extend_free_ends(); });
+  check_joiner(2 * nodes - cells, [](Curve_end_joiner& j) {
+    j.trim_free_ends([](const Vector& p) { return std::abs(p.z()) < 5.; }, 25.);
+  });
+  check_joiner(nodes + 2, [](Curve_end_joiner& j) { j.drop_spurs(4., 2.); });
+  check_joiner(nodes + cells, [](Curve_end_joiner& j) {
+    j.add_edges_between_nodes(
+      10., [](const Polyline&) { return 1.; }, [](const Polyline&) {});
+  });
+  check_joiner(10 * nodes, [](Curve_end_joiner& j) { j.join(); });
+}
+
 } // namespace
 
 int main()
@@ -755,5 +849,6 @@ int main()
   test_arc_between_free_ends();
   test_extension_of_free_ends();
   test_gaps();
+  test_cancelling();
   return 0;
 }

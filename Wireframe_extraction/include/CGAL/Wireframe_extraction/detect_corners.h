@@ -74,10 +74,16 @@ detects where curves meet. Two measures are at hand:
     \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
     \cgalParamDefault{unused}
   \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{a function that is called with the share that is done and returns whether to go on}
+    \cgalParamType{an instance of `std::function<bool(double)>`}
+    \cgalParamDefault{unused}
+    \cgalParamExtra{After cancelling, there are no corners, and the status in the report is `CANCELLED`.}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the corners. Their centers are the centroids of their points. There is none if a parameter is out of
-its range; the report has the reason.
+\return the corners. Their centers are the centroids of their points. There is none if a parameter is out of its range, or after
+cancelling; the report has the reason.
 
 Complexity: O(n log n + n k) for n points with k neighbors in a ball.
 */
@@ -88,7 +94,7 @@ template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_na
   internal::Stage_call call(np);
   if (!call.is_well())
     return {};
-  return internal::detect_corners(skeleton, call.options());
+  return internal::detect_corners(skeleton, call.options(), call.progress());
 }
 
 } // namespace Wireframe_extraction

@@ -59,10 +59,16 @@ the other one's local curve. That separates curves that cross or run side by sid
     \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
     \cgalParamDefault{unused}
   \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{a function that is called with the share that is done and returns whether to go on}
+    \cgalParamType{an instance of `std::function<bool(double)>`}
+    \cgalParamDefault{unused}
+    \cgalParamExtra{After cancelling, there are no curves, and the status in the report is `CANCELLED`.}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return for every curve the indices of its points in the skeleton, in ascending order. The curves are sorted by their
-first points. There is none if a parameter is out of its range; the report has the reason.
+first points. There is none if a parameter is out of its range, or after cancelling; the report has the reason.
 
 Complexity: O(n log n + n k) for n points with k neighbors each.
 */
@@ -74,7 +80,7 @@ template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_na
   internal::Stage_call call(np);
   if (!call.is_well())
     return {};
-  return internal::segment_curves(skeleton, corners, call.options());
+  return internal::segment_curves(skeleton, corners, call.options(), call.progress());
 }
 
 } // namespace Wireframe_extraction

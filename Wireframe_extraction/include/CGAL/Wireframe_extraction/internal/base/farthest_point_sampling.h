@@ -13,6 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_BASE_FARTHEST_POINT_SAMPLING_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Ball_search.h>
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 
 #include <algorithm>
@@ -29,9 +30,9 @@ namespace internal {
 // Exact farthest point sampling of the first `size` positions. Points whose nearest sample changes lie in a ball around
 // the new sample, whose radius is the distance of the farthest point, so that no sample needs a pass over all points.
 // The farthest point comes from a heap whose entries are checked when they surface. The first sample is the position
-// farthest from the centroid. Returns `count` indices, fewer where all positions coincide with samples.
+// farthest from the centroid. Returns `count` indices, fewer where all positions coincide with samples, or after cancelling.
 inline std::vector<std::size_t> farthest_point_sampling(const std::vector<Vector>& positions, std::size_t size,
-                                                        std::size_t count)
+                                                        std::size_t count, Progress* progress = nullptr)
 {
   std::vector<std::size_t> samples;
   if (size == 0 || count == 0)
@@ -55,7 +56,7 @@ inline std::vector<std::size_t> farthest_point_sampling(const std::vector<Vector
   std::priority_queue<Entry, std::vector<Entry>, decltype(less)> heap(less);
   std::vector<std::size_t> ball;
   double radius = infinity;
-  while (true)
+  while (samples.size() % points_between_questions != 0 || goes_on(progress))
   {
     samples.push_back(next);
     const auto update = [&](std::size_t i) {

@@ -12,8 +12,12 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_BASE_FOR_EACH_PIECE_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_BASE_FOR_EACH_PIECE_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <functional>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
@@ -35,24 +39,29 @@ void for_each_piece(std::size_t count, const Work& work, std::size_t size = 256)
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, size),
                     [&](const tbb::blocked_range<std::size_t>& range) { work(range.begin(), range.end()); });
 #else
-  (void)size;
-  work(std::size_t(0), count);
+  for (std::size_t begin = 0; begin < count; begin += size)
+    work(begin, (std::min)(count, begin + size));
 #endif
 }
 
-// The same, but between blocks of pieces `proceed(share)` is asked whether to go on. Returns whether all is done.
+// The same, but at least before every 64 `proceed(share)` is asked whether to go on, by the rule of Progress: the slowest of
+// what is done take a millisecond each. Returns whether all is done.
 template <class Work, class Proceed>
 bool for_each_piece_or_cancel(std::size_t count, const Work& work, const Proceed& proceed)
 {
-  static constexpr std::size_t block = 8192; // 32 pieces: threads wait little at its end, the caller never long
-  for (std::size_t first = 0; first < count; first += block)
-  {
-    if (!proceed(double(first) / double(count)))
-      return false;
-    for_each_piece((std::min)(block, count - first),
-                   [&](std::size_t begin, std::size_t end) { work(first + begin, first + end); });
-  }
-  return true;
+  static constexpr std::size_t most = 64;
+  const std::function<bool(double)> ask = [&proceed](double share) { return proceed(share); };
+  Progress progress(ask);
+  std::atomic<std::size_t> done{0};
+  for_each_piece(count, [&](std::size_t begin, std::size_t end) {
+    // threads take pieces of any size
+    for (std::size_t first = begin; first < end && progress.reach(double(done) / double(count)); first += most)
+    {
+      work(first, (std::min)(end, first + most));
+      done += (std::min)(most, end - first);
+    }
+  });
+  return !progress.is_cancelled();
 }
 
 // how many pieces may be worked on at the same time

@@ -98,9 +98,9 @@ public:
       grid.add(b, cluster.mean);
     };
     for (const std::vector<Curve_end>& ends : m_network.incidences())
-      if (!ends.empty())
+      if (!ends.empty() && goes_on())
         add(cluster_of(ends));
-    while (!queue.empty())
+    while (!queue.empty() && goes_on())
     {
       const std::size_t a = std::get<1>(queue.top()), b = std::get<2>(queue.top());
       queue.pop();
@@ -134,7 +134,7 @@ public:
       return std::tie(a.curve, b.segment, a.node) < std::tie(b.curve, a.segment, b.node);
     });
     std::vector<std::size_t> pieces; // of the curve that is split
-    for (std::size_t k = 0; k < splits.size(); ++k)
+    for (std::size_t k = 0; k < splits.size() && goes_on(); ++k)
     {
       if (k == 0 || splits[k].curve != splits[k - 1].curve)
         pieces.assign(1, splits[k].curve);
@@ -149,8 +149,10 @@ public:
       return;
     Incidences incidences = m_network.incidences();
     std::map<std::size_t, std::vector<std::size_t>> pieces; // of the curves that are split
-    for (const Curve_crossing& crossing : crossings(m_network, m_options.across(), least_distance_to_ends))
+    for (const Curve_crossing& crossing : crossings(m_network, m_options.across(), least_distance_to_ends, m_progress))
     {
+      if (!goes_on())
+        return;
       const std::size_t node = m_network.nodes.size();
       m_network.nodes.push_back(crossing.place);
       incidences.emplace_back();
@@ -221,7 +223,7 @@ private:
       if (m_network.curves[c].is_alive)
         grid.add(c, m_network.curves[c].points);
     std::vector<Split> splits;
-    for (std::size_t node = 0; node < incidences.size(); ++node)
+    for (std::size_t node = 0; node < incidences.size() && goes_on(); ++node)
     {
       if (incidences[node].empty())
         continue;

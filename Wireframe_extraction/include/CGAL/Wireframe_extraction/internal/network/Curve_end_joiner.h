@@ -71,9 +71,9 @@ public:
 
   void join()
   {
-    Tangency_resolver tangencies(m_network, m_options);
+    Tangency_resolver tangencies(m_network, m_options, m_progress);
     tangencies.bridge_tangencies();
-    Corner_merger corners(m_network, m_options);
+    Corner_merger corners(m_network, m_options, m_progress);
     corners.merge_nodes_that_agree();
     corners.attach_ends_to_passing_curves();
     corners.split_crossings();
@@ -101,6 +101,8 @@ public:
     std::vector<std::size_t> found;
     for (const std::vector<Curve_end>& ends : incidences)
     {
+      if (!goes_on())
+        return;
       if (ends.size() != 1)
         continue;
       search.query(tip(ends[0]).point, reach_ahead * m_options.reach, found);
@@ -179,7 +181,7 @@ public:
     const Ball_search search(positions);
     std::vector<std::tuple<double, std::size_t, std::size_t, std::vector<Vector>>> candidates;
     std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < used.size(); ++i)
+    for (std::size_t i = 0; i < used.size() && goes_on(); ++i)
     {
       search.query(positions[i], longest, found);
       for (std::size_t j : found)
@@ -210,6 +212,8 @@ public:
     });
     for (const auto& candidate : candidates)
     {
+      if (!goes_on())
+        return;
       // what was added before may have taken the evidence
       if (!(gain(std::get<3>(candidate)) > 0.))
         continue;
@@ -239,6 +243,8 @@ public:
     for (const Curve_end& end : free_ends())
     {
       Network_curve& curve = m_network.curves[end.first];
+      if (!goes_on())
+        return;
       if (!curve.is_alive)
         continue;
       std::vector<Vector> points = curve.points;
@@ -275,7 +281,7 @@ public:
   void drop_spurs(double free_length, double dangling_length)
   {
     bool changed = true;
-    while (changed)
+    while (changed && goes_on())
     {
       changed = false;
       const auto incidences = m_network.incidences();

@@ -12,6 +12,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_NETWORK_EDITOR_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Ball_search.h>
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_network.h>
 
@@ -57,7 +58,10 @@ public:
   typedef std::pair<std::size_t, int> Curve_end;
   typedef std::vector<std::vector<Curve_end>> Incidences; // the ends that meet in each node
 
-  Network_editor(Curve_network& network, const Joining_options& options) : m_network(network), m_options(options) {}
+  // After cancelling by `progress`, if there is one, not all is done, but the network is one.
+  Network_editor(Curve_network& network, const Joining_options& options, Progress* progress = nullptr)
+    : m_network(network), m_options(options), m_progress(progress)
+  {}
 
 protected:
   // Lengths in r.
@@ -93,6 +97,9 @@ protected:
 
   Curve_network& m_network;
   const Joining_options& m_options;
+  Progress* const m_progress;
+
+  bool goes_on() const { return internal::goes_on(m_progress); }
 
   const Local_curve& tip(const Curve_end& end) const { return m_network.curves[end.first].tips[end.second]; }
 
@@ -169,7 +176,7 @@ protected:
   void dissolve_smooth_joints()
   {
     Incidences incidences = m_network.incidences();
-    for (std::size_t node = 0; node < incidences.size(); ++node)
+    for (std::size_t node = 0; node < incidences.size() && goes_on(); ++node)
       if (incidences[node].size() == 2)
       {
         const Curve_end a = incidences[node][0], b = incidences[node][1];
@@ -245,7 +252,7 @@ protected:
     };
     std::vector<Bridge> bridges;
     std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < ends.size(); ++i)
+    for (std::size_t i = 0; i < ends.size() && goes_on(); ++i)
     {
       search.query(positions[i], m_options.maximum_bridge, found);
       for (std::size_t j : found)
@@ -273,6 +280,8 @@ protected:
     std::vector<char> is_taken(ends.size(), 0);
     for (const Bridge& bridge : bridges)
     {
+      if (!goes_on())
+        return;
       if (is_taken[bridge.from] || is_taken[bridge.to])
         continue;
       is_taken[bridge.from] = is_taken[bridge.to] = 1;

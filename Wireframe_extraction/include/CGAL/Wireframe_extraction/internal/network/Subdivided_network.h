@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SUBDIVIDED_NETWORK_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SUBDIVIDED_NETWORK_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_network.h>
 #include <CGAL/Wireframe_extraction/internal/network/corner_groups.h>
@@ -44,19 +45,31 @@ class Subdivided_network
 
   const Field_band& m_band;
   const Extraction_options& m_options;
+  Progress& m_progress;
 
 public:
-  Subdivided_network(const Field_band& band, const Extraction_options& options) : m_band(band), m_options(options) {}
+  Subdivided_network(const Field_band& band, const Extraction_options& options, Progress& progress)
+    : m_band(band), m_options(options), m_progress(progress)
+  {}
 
+  // after cancelling, what was found so far
   Curve_network run(const std::vector<std::vector<std::size_t>>& clusters,
                     const std::vector<Corner_group>& corners) const
   {
     Curve_network network;
     for (const Corner_group& corner : corners)
       network.nodes.push_back(corner.center);
+    std::size_t total = 0, done = 0;
     for (const std::vector<std::size_t>& cluster : clusters)
+      total += cluster.size();
+    for (const std::vector<std::size_t>& cluster : clusters)
+    {
+      if (!m_progress.reach(double(done) / double(total)))
+        break;
+      done += cluster.size();
       if (cluster.size() >= least_points)
         add(cluster, corners, network);
+    }
     return network;
   }
 
@@ -67,7 +80,7 @@ private:
     const Distance_graph graph = neighbors(cluster);
     bool is_closed = false;
     std::vector<std::size_t> start = initial_polyline(cluster, graph, is_closed);
-    if (start.size() < 2)
+    if (start.size() < 2 || m_progress.is_cancelled())
       return;
     Network_curve curve;
     for (std::size_t k : start)
@@ -75,6 +88,8 @@ private:
     if (is_closed)
       curve.points.push_back(curve.points.front());
     subdivide(cluster, curve.points);
+    if (m_progress.is_cancelled())
+      return;
     if (!is_closed)
       for (int e = 0; e < 2; ++e)
         curve.nodes[e] = join_to_corner(curve.points, e, corners, network);
@@ -91,6 +106,8 @@ private:
     std::vector<std::size_t> ball;
     for (std::size_t i = 0; i < positions.size(); ++i)
     {
+      if (i % points_between_questions == 0 && !m_progress.goes_on())
+        break;
       search.query(positions[i], m_options.connection_radius, ball);
       for (std::size_t j : ball)
         if (j < i)
@@ -124,6 +141,8 @@ private:
   std::vector<std::size_t> initial_polyline(const std::vector<std::size_t>& cluster, const Distance_graph& graph,
                                             bool& is_closed) const
   {
+    if (m_progress.is_cancelled())
+      return {};
     const std::size_t a = farthest(distances_from(0, graph));
     const std::vector<double> from_a = distances_from(a, graph);
     const std::size_t b = farthest(from_a);
@@ -211,7 +230,7 @@ private:
   // eq. 2
   void subdivide(const std::vector<std::size_t>& cluster, std::vector<Vector>& polyline) const
   {
-    while (polyline.size() < cluster.size())
+    while (polyline.size() < cluster.size() && m_progress.goes_on())
     {
       double worst = m_options.split_threshold;
       std::size_t split = cluster.size(), after = 0;

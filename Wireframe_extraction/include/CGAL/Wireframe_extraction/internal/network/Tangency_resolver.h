@@ -58,7 +58,9 @@ public:
     std::vector<Candidate> candidates;
     std::vector<Curve_end> ends;
     for (const std::vector<Curve_end>& around : m_network.incidences())
-      if (around.size() == 1)
+      if (!goes_on())
+        return;
+      else if (around.size() == 1)
       {
         const Local_curve& end = tip(around[0]);
         const Segment_grid::Hit hit = grid.nearest(end.point, reach, [&](const Segment_grid::Hit& h) {
@@ -95,7 +97,7 @@ public:
   // each lead on smoothly, or in a single node where four curves meet on one tangent.
   void separate_tangent_curves()
   {
-    for (bool changed = true; changed;)
+    for (bool changed = true; changed && goes_on();)
     {
       changed = false;
       const auto incidences = m_network.incidences();
@@ -130,7 +132,7 @@ public:
   void close_acute_corners()
   {
     Incidences incidences = m_network.incidences();
-    for (std::size_t c = 0; c < m_network.curves.size(); ++c)
+    for (std::size_t c = 0; c < m_network.curves.size() && goes_on(); ++c)
     {
       const Network_curve& stem = m_network.curves[c];
       if (!stem.is_alive || stem.is_closed_without_node() || stem.nodes[0] == stem.nodes[1]

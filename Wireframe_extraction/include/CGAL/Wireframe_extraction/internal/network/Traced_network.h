@@ -142,7 +142,7 @@ private:
     const auto prune = [&](const std::vector<const std::vector<Vector>*>& polylines) {
       return evidence.prune(polylines, least_gain, gain_per_length * least_gain);
     };
-    Curve_end_joiner joiner(network, m_joining);
+    Curve_end_joiner joiner(network, m_joining, &progress);
     const std::function<void()> steps[] = {
       [&] { joiner.prune(prune); },
       [&] { joiner.join(); },

@@ -52,12 +52,12 @@ inline Curve_network unthinned_network(const Skeleton_data& skeleton, const std:
                                        const std::vector<std::vector<std::size_t>>& clusters,
                                        const Extraction_options& options, const std::function<bool(double)>& proceed)
 {
+  Progress progress(proceed);
   if (options.graph_method == Graph_method::SUBDIVIDED)
-    return Subdivided_network(*skeleton.band, options).run(clusters, corners);
+    return Subdivided_network(*skeleton.band, options, progress).run(clusters, corners);
   std::vector<std::size_t> seeds;
   for (const std::vector<std::size_t>& cluster : clusters)
     seeds.insert(seeds.end(), cluster.begin(), cluster.end());
-  Progress progress(proceed);
   return Traced_network(*skeleton.band, *skeleton.surroundings, *skeleton.contraction, options).run(seeds, progress);
 }
 

@@ -17,6 +17,7 @@
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -24,8 +25,10 @@ namespace Wireframe_extraction {
 namespace internal {
 
 // Connected components of the points of the skeleton that are in no corner.
+// `proceed(share)` returns whether to go on; after cancelling, there is none
 std::vector<std::vector<std::size_t>> clusters(const Skeleton_data& skeleton, const std::vector<char>& is_in_corner,
-                                               const Extraction_options& options);
+                                               const Extraction_options& options,
+                                               const std::function<bool(double)>& proceed);
 
 } // namespace internal
 } // namespace Wireframe_extraction

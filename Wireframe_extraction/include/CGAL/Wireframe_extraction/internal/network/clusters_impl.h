@@ -13,6 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CLUSTERS_IMPL_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Ball_search.h>
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/network/clusters.h>
 
 #include <CGAL/number_type_config.h>
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -41,9 +43,9 @@ inline bool do_tangents_agree(const Local_curve& a, const Local_curve& b, double
   return a.distance(b.point) < limit && b.distance(a.point) < limit;
 }
 
-CGAL_WIREFRAME_EXTRACTION_INLINE std::vector<std::vector<std::size_t>> clusters(const Skeleton_data& skeleton,
-                                                                                const std::vector<char>& is_in_corner,
-                                                                                const Extraction_options& options)
+CGAL_WIREFRAME_EXTRACTION_INLINE std::vector<std::vector<std::size_t>> clusters(
+  const Skeleton_data& skeleton, const std::vector<char>& is_in_corner, const Extraction_options& options,
+  const std::function<bool(double)>& proceed)
 {
   const std::size_t size = skeleton.size();
   std::vector<std::vector<std::size_t>> clusters;
@@ -68,8 +70,11 @@ CGAL_WIREFRAME_EXTRACTION_INLINE std::vector<std::vector<std::size_t>> clusters(
   for (std::size_t i = 0; i < size; ++i)
     components.make_set(i);
   std::vector<std::size_t> ball;
+  Progress progress(proceed);
   for (std::size_t i = 0; i < size; ++i)
   {
+    if (i % points_between_questions == 0 && !progress.reach(double(i) / double(size)))
+      return clusters;
     if (is_in_corner[i])
       continue;
     search.query(positions[i], options.connection_radius, ball);

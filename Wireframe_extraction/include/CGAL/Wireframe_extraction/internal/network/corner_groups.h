@@ -18,6 +18,7 @@
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -32,7 +33,9 @@ struct Corner_group
   std::vector<std::size_t> members;
 };
 
-std::vector<Corner_group> corner_groups(const Skeleton_data& skeleton, const Extraction_options& options);
+// `proceed(share)` returns whether to go on; after cancelling, there is none
+std::vector<Corner_group> corner_groups(const Skeleton_data& skeleton, const Extraction_options& options,
+                                        const std::function<bool(double)>& proceed);
 
 } // namespace internal
 } // namespace Wireframe_extraction

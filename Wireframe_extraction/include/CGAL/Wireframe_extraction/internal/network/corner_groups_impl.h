@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CORNER_GROUPS_IMPL_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CORNER_GROUPS_IMPL_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/farthest_point_sampling.h>
 #include <CGAL/Wireframe_extraction/internal/network/corner_groups.h>
 #include <CGAL/Wireframe_extraction/internal/network/second_variance_ratio.h>
@@ -23,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
@@ -40,7 +42,8 @@ constexpr std::size_t least_irregular_points = 3;
 
 // Groups of skeleton points, each closer than `reach` to another one of its group.
 inline std::vector<std::vector<std::size_t>> connected_groups(const Field_band& band,
-                                                              const std::vector<char>& is_marked, double reach)
+                                                              const std::vector<char>& is_marked, double reach,
+                                                              Progress& progress)
 {
   typedef CGAL::Union_find<std::size_t> Union_find;
   Union_find sets;
@@ -51,6 +54,8 @@ inline std::vector<std::vector<std::size_t>> connected_groups(const Field_band& 
   std::vector<std::size_t> ball;
   for (std::size_t i = 0; i < band.skeleton_size; ++i)
   {
+    if (i % points_between_questions == 0 && !progress.goes_on())
+      return {};
     if (!is_marked[i])
       continue;
     band.search.query(band.points[i], reach, ball);
@@ -74,14 +79,17 @@ inline std::vector<std::vector<std::size_t>> connected_groups(const Field_band& 
 // The published measure: balls around farthest point samples, of which those with a large second variance ratio hold a
 // corner; what a bounding box around connected balls takes belongs to it.
 inline std::vector<std::vector<std::size_t>> corners_by_variance(const Field_band& band,
-                                                                 const Extraction_options& options)
+                                                                 const Extraction_options& options, Progress& progress)
 {
   const std::size_t count =
     static_cast<std::size_t>(std::ceil(options.corner_sampling_ratio * double(band.skeleton_size)));
   std::vector<char> is_in_corner_ball(band.skeleton_size, 0);
   std::vector<std::size_t> ball;
-  for (std::size_t center : farthest_point_sampling(band.points, band.skeleton_size, count))
+  std::size_t done = 0;
+  for (std::size_t center : farthest_point_sampling(band.points, band.skeleton_size, count, &progress))
   {
+    if (!progress.reach(double(done++) / double(count)))
+      return {};
     band.search.query(band.points[center], options.corner_radius, ball);
     ball.erase(std::remove_if(ball.begin(), ball.end(), [&](std::size_t i) { return i >= band.skeleton_size; }),
                ball.end());
@@ -89,7 +97,8 @@ inline std::vector<std::vector<std::size_t>> corners_by_variance(const Field_ban
       for (std::size_t i : ball)
         is_in_corner_ball[i] = 1;
   }
-  std::vector<std::vector<std::size_t>> groups = connected_groups(band, is_in_corner_ball, options.connection_radius);
+  std::vector<std::vector<std::size_t>> groups =
+    connected_groups(band, is_in_corner_ball, options.connection_radius, progress);
   std::vector<char> is_taken(band.skeleton_size, 0);
   for (std::vector<std::size_t>& group : groups)
   {
@@ -113,7 +122,7 @@ inline std::vector<std::vector<std::size_t>> corners_by_variance(const Field_ban
 }
 
 inline std::vector<std::vector<std::size_t>> corners_by_residual(const Field_band& band, const Contraction& contraction,
-                                                                 const Extraction_options& options)
+                                                                 const Extraction_options& options, Progress& progress)
 {
   const double threshold = options.corner_residual >= 0.
     ? options.corner_residual
@@ -121,7 +130,8 @@ inline std::vector<std::vector<std::size_t>> corners_by_residual(const Field_ban
   std::vector<char> is_irregular(band.skeleton_size, 0);
   for (std::size_t i = 0; i < band.skeleton_size; ++i)
     is_irregular[i] = contraction.residuals[i] > threshold;
-  std::vector<std::vector<std::size_t>> groups = connected_groups(band, is_irregular, reach_of_irregular_points);
+  std::vector<std::vector<std::size_t>> groups =
+    connected_groups(band, is_irregular, reach_of_irregular_points, progress);
   groups.erase(
     std::remove_if(groups.begin(), groups.end(), [](const auto& g) { return g.size() < least_irregular_points; }),
     groups.end());
@@ -129,15 +139,19 @@ inline std::vector<std::vector<std::size_t>> corners_by_residual(const Field_ban
 }
 
 CGAL_WIREFRAME_EXTRACTION_INLINE std::vector<Corner_group> corner_groups(const Skeleton_data& skeleton,
-                                                                         const Extraction_options& options)
+                                                                         const Extraction_options& options,
+                                                                         const std::function<bool(double)>& proceed)
 {
   std::vector<Corner_group> result;
   if (skeleton.size() == 0)
     return result;
   const Field_band& band = *skeleton.band;
+  Progress progress(proceed);
   const std::vector<std::vector<std::size_t>> groups = options.corner_measure == Corner_measure::VARIANCE
-    ? corners_by_variance(band, options)
-    : corners_by_residual(band, *skeleton.contraction, options);
+    ? corners_by_variance(band, options, progress)
+    : corners_by_residual(band, *skeleton.contraction, options, progress);
+  if (progress.is_cancelled())
+    return result;
   for (const std::vector<std::size_t>& group : groups)
   {
     Corner_group corner;

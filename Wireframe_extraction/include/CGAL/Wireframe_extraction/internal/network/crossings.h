@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CROSSINGS_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CROSSINGS_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_network.h>
@@ -58,14 +59,16 @@ inline Curve_crossing crossing_of_segments(const std::array<Vector, 2>& a, const
 }
 
 // Returns the crossings of curves that are closer than `tolerance` there, and farther than `distance_to_ends` from the
-// ends of both: the closest ones first, each once. Nearly linear in the number of segments.
-inline std::vector<Curve_crossing> crossings(const Curve_network& network, double tolerance, double distance_to_ends)
+// ends of both: the closest ones first, each once. Nearly linear in the number of segments. After cancelling, some are
+// missing.
+inline std::vector<Curve_crossing> crossings(const Curve_network& network, double tolerance, double distance_to_ends,
+                                             Progress* progress = nullptr)
 {
   // in r: two curves do not cross again within it
   static constexpr double least_distance = 2.;
   Segment_grid grid;
   std::vector<Curve_crossing> found;
-  for (std::size_t c = 0; c < network.curves.size(); ++c)
+  for (std::size_t c = 0; c < network.curves.size() && goes_on(progress); ++c)
   {
     if (!network.curves[c].is_alive)
       continue;

@@ -17,6 +17,7 @@
 #include <CGAL/Wireframe_extraction/internal/network/corner_groups.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -25,10 +26,11 @@ namespace internal {
 
 template <class GeomTraits>
 std::vector<Wireframe_corner<GeomTraits>> detect_corners(const Wireframe_skeleton<GeomTraits>& skeleton,
-                                                         const Extraction_options& options)
+                                                         const Extraction_options& options,
+                                                         const std::function<bool(double)>& proceed)
 {
   std::vector<Wireframe_corner<GeomTraits>> corners;
-  for (const Corner_group& group : corner_groups(skeleton.data(), options))
+  for (const Corner_group& group : corner_groups(skeleton.data(), options, proceed))
     corners.push_back(
       {skeleton.to_point(group.center), typename GeomTraits::FT(group.radius * skeleton.data().unit), group.members});
   return corners;

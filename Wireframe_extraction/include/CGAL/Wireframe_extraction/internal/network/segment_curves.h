@@ -20,6 +20,7 @@
 #include <CGAL/assertions.h>
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -29,7 +30,8 @@ namespace internal {
 template <class GeomTraits>
 std::vector<std::vector<std::size_t>> segment_curves(const Wireframe_skeleton<GeomTraits>& skeleton,
                                                      const std::vector<Wireframe_corner<GeomTraits>>& corners,
-                                                     const Extraction_options& options)
+                                                     const Extraction_options& options,
+                                                     const std::function<bool(double)>& proceed)
 {
   std::vector<char> is_in_corner(skeleton.size(), 0);
   for (const Wireframe_corner<GeomTraits>& corner : corners)
@@ -38,7 +40,7 @@ std::vector<std::vector<std::size_t>> segment_curves(const Wireframe_skeleton<Ge
       CGAL_precondition(i < skeleton.size());
       is_in_corner[i] = 1;
     }
-  return clusters(skeleton.data(), is_in_corner, options);
+  return clusters(skeleton.data(), is_in_corner, options, proceed);
 }
 
 } // namespace internal

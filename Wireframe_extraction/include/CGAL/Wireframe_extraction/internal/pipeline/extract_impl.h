@@ -208,10 +208,11 @@ private:
 
   bool find_curves()
   {
-    if (!stage("corners", 0.62, [&] { m_corners = detect_corners(m_skeleton, m_options); }))
+    if (!stage("corners", 0.62, [&] { m_corners = detect_corners(m_skeleton, m_options, m_progress); }))
       return false;
     m_visitor.corners_detected(m_skeleton, m_corners);
-    if (!stage("segmentation", 0.65, [&] { m_clusters = segment_curves(m_skeleton, m_corners, m_options); }))
+    if (!stage("segmentation", 0.65,
+               [&] { m_clusters = segment_curves(m_skeleton, m_corners, m_options, m_progress); }))
       return false;
     m_report.number_of_clusters = m_clusters.size();
     m_visitor.curves_segmented(m_skeleton, m_clusters);

@@ -12,7 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_CURVE_CUTTER_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_CURVE_CUTTER_H
 
-#include <CGAL/Wireframe_extraction/internal/types/Cancellation.h>
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/types/Primitive_course.h>
 #include <CGAL/Wireframe_extraction/internal/types/Primitive_fit.h>
 
@@ -63,17 +63,17 @@ class Curve_cutter
   const bool m_is_closed;
   const double m_significance, m_log_size;
   const std::vector<double> m_spline_costs;
-  Cancellation* const m_cancellation;
+  Progress* const m_progress;
   mutable std::map<std::tuple<Primitive_kind, std::size_t, std::size_t>, Curve_piece> m_known;
 
 public:
   // `density` is the number of parameters that the spline has per station; `ends` are those of the curve, which count
   // unless it is closed and free of vertices. After cancelling, what run() returns is of no use.
   Curve_cutter(const std::vector<Station>& stations, double density, const std::array<Vector, 2>& ends, bool is_closed,
-               double significance, Cancellation* cancellation = nullptr)
+               double significance, Progress* progress = nullptr)
     : m_stations(stations), m_ends(ends), m_is_closed(is_closed), m_significance(significance),
       m_log_size(std::log(2. * double(stations.size()))), m_spline_costs(spline_costs(stations, density * m_log_size)),
-      m_cancellation(cancellation)
+      m_progress(progress)
   {}
 
   std::vector<Curve_piece> run() const
@@ -102,7 +102,7 @@ public:
   }
 
 private:
-  bool goes_on() const { return !m_cancellation || m_cancellation->goes_on(); }
+  bool goes_on() const { return internal::goes_on(m_progress); }
 
   Station_range range(std::size_t first, std::size_t size) const { return Station_range(m_stations, first, size); }
 

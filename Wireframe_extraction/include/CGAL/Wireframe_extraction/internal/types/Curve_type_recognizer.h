@@ -12,8 +12,8 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_CURVE_TYPE_RECOGNIZER_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_CURVE_TYPE_RECOGNIZER_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
-#include <CGAL/Wireframe_extraction/internal/types/Cancellation.h>
 #include <CGAL/Wireframe_extraction/internal/types/Curve_cutter.h>
 #include <CGAL/Wireframe_extraction/internal/types/Curve_stations.h>
 #include <CGAL/Wireframe_extraction/internal/types/Primitive_course.h>
@@ -81,7 +81,7 @@ class Curve_type_recognizer
   std::vector<Vector> m_anchors, m_vertices;
   std::vector<Regularity> m_regularities; // of the pieces
   Primitive_parts m_parts;
-  Cancellation m_cancellation;
+  Progress m_progress;
 
   struct Edge_of_piece
   {
@@ -93,19 +93,18 @@ public:
                         bool is_regularized, const std::vector<Vector>& vertices,
                         const std::vector<Untyped_curve>& curves, const std::function<bool(double)>& proceed)
     : m_band(band), m_noise(noise), m_support_distance(support_distance), m_significance(significance),
-      m_is_regularized(is_regularized), m_curves(curves), m_anchors(vertices), m_vertices(vertices),
-      m_cancellation(proceed)
+      m_is_regularized(is_regularized), m_curves(curves), m_anchors(vertices), m_vertices(vertices), m_progress(proceed)
   {}
 
   const std::vector<Vector>& vertices() const { return m_vertices; }
   const std::vector<Regularity>& regularities() const { return m_regularities; }
 
-  bool is_cancelled() const { return m_cancellation.is_cancelled(); }
+  bool is_cancelled() const { return m_progress.is_cancelled(); }
 
   // after cancelling, nothing
   std::vector<Typed_piece> run()
   {
-    if (!m_cancellation.goes_on())
+    if (!m_progress.goes_on())
       return {};
     const Curve_stations stations(m_band, m_noise, m_support_distance);
     std::vector<std::vector<Vector>> polylines;
@@ -116,7 +115,7 @@ public:
     std::atomic<std::size_t> number_cut{0};
     const auto goes_on = [&] {
       const double share = double(number_cut) / double(m_curves.size());
-      return m_cancellation.goes_on(share_of_support + share * (share_of_cuts - share_of_support));
+      return m_progress.reach(share_of_support + share * (share_of_cuts - share_of_support));
     };
     for_each_piece(
       m_curves.size(),
@@ -132,7 +131,7 @@ public:
     std::vector<Typed_piece> result;
     // each round leaves fewer tangencies or primitives
     double left = 1. - share_of_cuts;
-    while (m_cancellation.goes_on(1. - left) && !fit(result))
+    while (m_progress.reach(1. - left) && !fit(result))
       left *= share_of_round;
     if (is_cancelled())
       result.clear();
@@ -150,7 +149,7 @@ private:
     // no spline can use more parameters than there are observations
     const double density = (std::min)(1., curve.number_of_parameters / double(result.stations.size()));
     result.pieces = Curve_cutter(result.stations, density, {{curve.polyline.front(), curve.polyline.back()}},
-                                 curve.is_closed_without_vertex(), m_significance, &m_cancellation)
+                                 curve.is_closed_without_vertex(), m_significance, &m_progress)
                       .run();
     result.is_closed = curve.is_closed_without_vertex();
     if (curve.is_loop() && result.pieces.size() == 1 && result.pieces[0].is_line())
@@ -272,7 +271,7 @@ private:
       add_tangencies(c, edges[c], network);
       add_spline_ends(c, network);
     }
-    m_parts.run(network, &m_cancellation);
+    m_parts.run(network, &m_progress);
     if (is_cancelled() || take_back(network, places, edges))
       return false;
     if (m_is_regularized)
@@ -302,7 +301,7 @@ private:
     {
       network = kept;
       network.regularities = regularities;
-      m_parts.run(network, &m_cancellation, true);
+      m_parts.run(network, &m_progress, true);
       if (is_cancelled())
         return;
       std::vector<char> is_contradicted(places.size(), 0);

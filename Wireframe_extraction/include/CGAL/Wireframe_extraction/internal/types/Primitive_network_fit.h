@@ -12,9 +12,9 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_PRIMITIVE_NETWORK_FIT_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_PRIMITIVE_NETWORK_FIT_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
 #include <CGAL/Wireframe_extraction/internal/fit/ceres_support.h>
-#include <CGAL/Wireframe_extraction/internal/types/Cancellation.h>
 #include <CGAL/Wireframe_extraction/internal/types/Curve_regularities.h>
 #include <CGAL/Wireframe_extraction/internal/types/Primitive_fit.h>
 #include <CGAL/Wireframe_extraction/internal/types/primitive_residuals.h>
@@ -70,9 +70,9 @@ public:
   }
 
   // after cancelling, the result is of no use
-  void run(Cancellation* cancellation = nullptr)
+  void run(Progress* progress = nullptr)
   {
-    m_cancellation = cancellation;
+    m_progress = progress;
     m_is_violated.assign(edges.size(), 0);
     m_roots.clear();
     for (const Primitive_edge& edge : edges)
@@ -116,23 +116,23 @@ private:
   // What holds vertices that no curve holds: 1 r counts as a tenth of a standard deviation, far less than any station.
   static constexpr double pull_on_vertices = 0.1;
 
-  Cancellation* m_cancellation = nullptr;
+  Progress* m_progress = nullptr;
   std::vector<char> m_is_violated;
   std::vector<Eigen::Matrix3d> m_roots; // of the information of all stations, edge after edge
 
-  bool is_cancelled() const { return m_cancellation && m_cancellation->is_cancelled(); }
+  bool is_cancelled() const { return m_progress && m_progress->is_cancelled(); }
 
   // stops a solver
   class Cancelling_callback : public ceres::IterationCallback
   {
-    Cancellation& m_cancellation;
+    Progress& m_progress;
 
   public:
-    explicit Cancelling_callback(Cancellation& cancellation) : m_cancellation(cancellation) {}
+    explicit Cancelling_callback(Progress& progress) : m_progress(progress) {}
 
     ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override
     {
-      return m_cancellation.goes_on() ? ceres::SOLVER_CONTINUE : ceres::SOLVER_ABORT;
+      return m_progress.goes_on() ? ceres::SOLVER_CONTINUE : ceres::SOLVER_ABORT;
     }
   };
 
@@ -299,9 +299,9 @@ private:
       return;
     ceres::Solver::Options options = solver_options(most_iterations, relative_gain);
     std::unique_ptr<Cancelling_callback> callback;
-    if (m_cancellation)
+    if (m_progress)
     {
-      callback = std::make_unique<Cancelling_callback>(*m_cancellation);
+      callback = std::make_unique<Cancelling_callback>(*m_progress);
       options.callbacks.push_back(callback.get());
     }
     ceres::Solver::Summary summary;

@@ -12,8 +12,8 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_PRIMITIVE_PARTS_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_PRIMITIVE_PARTS_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
-#include <CGAL/Wireframe_extraction/internal/types/Cancellation.h>
 #include <CGAL/Wireframe_extraction/internal/types/Primitive_network_fit.h>
 
 #include <array>
@@ -52,7 +52,7 @@ public:
   std::size_t number_of_fits() const { return m_number_of_fits; }
 
   // Fits all parts, or those that regularities hold. After cancelling, the result is of no use.
-  void run(Primitive_network_fit& network, Cancellation* cancellation, bool only_regular = false)
+  void run(Primitive_network_fit& network, Progress* progress, bool only_regular = false)
   {
     std::vector<Part> parts = split(network);
     std::vector<std::vector<double>> keys;
@@ -67,11 +67,11 @@ public:
     for_each_piece(
       unknown.size(),
       [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end && !(cancellation && cancellation->is_cancelled()); ++k)
-          parts[unknown[k]].network.run(cancellation);
+        for (std::size_t k = begin; k < end && !(progress && progress->is_cancelled()); ++k)
+          parts[unknown[k]].network.run(progress);
       },
       1);
-    if (cancellation && cancellation->is_cancelled())
+    if (progress && progress->is_cancelled())
       return;
     for (const std::size_t k : unknown)
       m_known[keys[k]] = solution(parts[k].network);
