@@ -2,6 +2,7 @@
 // fields that are known in closed form.
 
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
+#include <CGAL/Wireframe_extraction/internal/field/complete_band.h>
 #include <CGAL/Wireframe_extraction/internal/field/contract.h>
 #include <CGAL/Wireframe_extraction/internal/field/polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/fit/fit_network.h>
@@ -742,6 +743,88 @@ std::vector<Fitted_curve> curves_of(const Curve_network& network)
   return curves;
 }
 
+// Splines and the points that support them -----------------------------------------------------------
+
+// a polyline that starts in some direction and turns in a plane, now more, now less
+Polyline winding(double length, double turn, const Vector& start, const Vector& direction, std::mt19937& random)
+{
+  std::normal_distribution<double> normal;
+  Polyline result{start};
+  Vector forward = direction.normalized();
+  const Vector axis = Vector(normal(random), normal(random), normal(random)).normalized();
+  double curvature = turn * normal(random);
+  for (double s = 0.; s < length; s += 0.5)
+  {
+    curvature = (std::max)(-0.25, (std::min)(0.25, curvature + 0.3 * turn * normal(random)));
+    forward = (forward + 0.5 * curvature * axis.cross(forward)).normalized();
+    result.push_back(result.back() + 0.5 * forward);
+  }
+  return result;
+}
+
+// What the field says is not what the curve was traced along: another curve from the same start, one beside it, a part of
+// it, or one across it. Wherever the fit takes it, no place of it is farther from both the points and its trace than a point
+// that supports it may be.
+void test_no_spline_leaves_its_points()
+{
+  for (unsigned int seed = 0; seed < 400; ++seed)
+  {
+    std::mt19937 random(seed);
+    const auto uniform = [&](double low, double high) {
+      return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    std::normal_distribution<double> normal;
+    const double noise = uniform(0.01, 0.6);
+    const Polyline trace = winding(uniform(4., 50.), 0.05, Vector::Zero(), Vector::UnitX(), random);
+    Polyline feature = trace;
+    if (seed % 4 == 0)
+      feature =
+        winding(uniform(4., 50.), 0.1, Vector::Zero(), Vector(1., 0.2 * normal(random), 0.2 * normal(random)), random);
+    else if (seed % 4 == 1)
+      for (Vector& p : feature)
+        p.y() += 2.5;
+    else if (seed % 4 == 2)
+      feature.resize((std::max)(std::size_t(3), trace.size() / 3));
+    else
+      feature = winding(uniform(4., 50.), 0.1, trace[trace.size() / 2],
+                        Vector(normal(random), normal(random), normal(random)), random);
+    auto band = std::make_shared<Field_band>();
+    const double density = uniform(0.5, 4.);
+    for (double k = 0.; k < density * double(feature.size()); ++k)
+    {
+      const Vector& foot = feature[std::size_t(uniform(0., double(feature.size())))];
+      const Vector p = foot + Vector(uniform(-3., 3.), uniform(-3., 3.), uniform(-3., 3.));
+      const double d = std::abs(distance_to(feature, p) + noise * normal(random));
+      if (d > 3.)
+        continue;
+      band->points.push_back(p);
+      band->distances.push_back(d);
+      band->indices.push_back(band->indices.size());
+    }
+    if (band->size() == 0)
+      continue;
+    complete_band(*band, 1.5);
+    Skeleton_data skeleton;
+    skeleton.band = band;
+    Extraction_options options;
+    options.noise_level = noise;
+    std::vector<Fitted_curve> curves(1);
+    curves[0].path = trace;
+    curves[0].vertices = {{0, 1}};
+    std::vector<Vector> vertices{trace.front(), trace.back()};
+    assert(fit_network(skeleton, options, vertices, curves, std::function<bool(double)>()));
+    const Cubic_spline& spline = curves[0].spline;
+    const double reach = options.support_distance + 1., error_of_start = 0.1 + 2. * noise;
+    for (int k = 0; k <= 400; ++k)
+    {
+      const Vector p = spline.at(spline.front() + (spline.back() - spline.front()) * k / 400.);
+      std::vector<std::size_t> near;
+      band->search.query(p, reach, near);
+      assert(!near.empty() || distance_to(trace, p) < reach + error_of_start);
+    }
+  }
+}
+
 void test_cancelling()
 {
   std::mt19937 random(13);
@@ -811,6 +894,7 @@ int main()
   test_prune_at_a_border();
   test_prune_worst_first();
   test_rounded_corners();
+  test_no_spline_leaves_its_points();
   test_cancelling();
   return 0;
 }

@@ -110,6 +110,7 @@ class Spline_network_fit
   std::vector<Vector> m_vertices, m_anchors;
   std::vector<std::size_t> m_degrees;
   std::vector<Fitted_curve> m_curves;
+  std::vector<Cubic_spline> m_courses; // of the curves, as they were given
   std::vector<Support> m_support;
 
 public:
@@ -131,7 +132,10 @@ public:
   bool run(Progress& progress)
   {
     for (Fitted_curve& curve : m_curves)
+    {
       initialize(curve, progress);
+      m_courses.push_back(curve.spline);
+    }
     const int rounds = (std::max)(1, m_options.number_of_rounds);
     for (int round = 0; round < rounds; ++round)
     {
@@ -437,10 +441,10 @@ private:
     // cancelling leaves the last state as well
     const bool is_usable = summary.IsSolutionUsable();
     for (std::size_t k = 0; k < vertices.size(); ++k)
-      if (!is_usable || is_stray(m_vertices[vertices[k]], kept_vertices[k]))
+      if (!is_usable || has_left(m_vertices[vertices[k]], m_anchors[vertices[k]]))
         m_vertices[vertices[k]] = kept_vertices[k];
     for (std::size_t k = 0; k < curves.size(); ++k)
-      take_back_strays(m_curves[curves[k]], kept_points[k], is_usable);
+      take_back_strays(curves[k], kept_points[k], is_usable);
   }
 
   // one residual block for each span
@@ -479,27 +483,53 @@ private:
     problem.AddResidualBlock(residual, nullptr, blocks.data(), static_cast<int>(blocks.size()));
   }
 
-  // whether it left its place by more than any point of a curve's support is away from it
-  bool is_stray(const Vector& now, const Vector& before) const
+  // beyond it, no point supports a curve
+  double reach() const { return m_options.support_distance + search_margin; }
+
+  // Whether a place of a curve is one that neither points nor the course that was given speak for: from both, it is farther
+  // than any point that supports a curve.
+  bool has_left(const Vector& now, const Vector& given) const
   {
-    return !((now - before).norm() < 2. * (m_options.support_distance + search_margin));
+    if ((now - given).norm() < reach())
+      return false;
+    std::vector<std::size_t> found;
+    if (now.allFinite())
+      m_band.search.query(now, reach(), found);
+    return found.empty();
+  }
+
+  // the same of any place along a curve
+  bool has_left(std::size_t c) const
+  {
+    const Cubic_spline &spline = m_curves[c].spline, &given = m_courses[c]; // over the same parameters
+    const double length = spline.back() - spline.front();
+    const std::size_t count = (std::max)(least_samples_of_spline, static_cast<std::size_t>(samples_of_spline * length));
+    for (std::size_t k = 0; k <= count; ++k)
+    {
+      const double t = spline.front() + length * double(k) / double(count);
+      if (has_left(spline.at(t), given.at(t)))
+        return true;
+    }
+    return false;
   }
 
   // Where a robust loss has lost all points, nothing holds a curve any more: it goes back. The ends are at the
   // vertices.
-  void take_back_strays(Fitted_curve& curve, const std::vector<Vector>& before, bool is_usable) const
+  void take_back_strays(std::size_t c, const std::vector<Vector>& before, bool is_usable)
   {
+    Fitted_curve& curve = m_curves[c];
     std::vector<Vector>& points = curve.spline.points();
-    bool is_kept = is_usable;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      is_kept = is_kept && !is_stray(points[i], before[i]);
-    if (!is_kept)
-      points = before;
-    if (!curve.is_closed_without_vertex())
-    {
+    const auto end_at_vertices = [&] {
+      if (curve.is_closed_without_vertex())
+        return;
       points.front() = m_vertices[curve.vertices[0]];
       points.back() = m_vertices[curve.vertices[1]];
-    }
+    };
+    end_at_vertices();
+    if (is_usable && !has_left(c))
+      return;
+    points = before;
+    end_at_vertices();
   }
 
   // A prior for curves whose curvature changes slowly, the stronger the more the field errs. On an arc of curvature k
