@@ -72,8 +72,8 @@ void take_scale(const tool::Field_header& header, Parameters& parameters)
   parameters.noise_level = scale.noise_level;
 }
 
-// Extracts the wireframe of what `open(input, error)` opens. Returns it, the report, what the reader tells, and why there is
-// no feature if that is known from the start.
+// Extracts the wireframe of what `open(input, error)` opens. Returns it, the report, what the reader tells, and why
+// there is no feature if that is known from the start.
 template <class Open>
 py::tuple extract_opened(tool::Input input, const py::dict& values, int threads, const py::object& progress,
                          const Open& open)

@@ -32,13 +32,14 @@ private:
   std::atomic<double> m_share{0.};
 };
 
-// Runs the work in a thread of its own with at most that many threads, as many as there are for 0. The thread that calls
-// waits, calls `progress` with the share that is done unless it is None, and lets Python handle signals. If one of these
-// throws, the work is stopped, and the exception goes on once it has ended. What the work throws goes on as well.
+// Runs the work in a thread of its own with at most that many threads, as many as there are for 0. The thread that
+// calls waits, calls `progress` with the share that is done unless it is None, and lets Python handle signals. If one
+// of these throws, the work is stopped, and the exception goes on once it has ended. What the work
+// throws goes on as well.
 void run_beside(const std::function<void(Work_state&)>& work, int number_of_threads, const pybind11::object& progress);
 
-// The same for what is done for many points, some thousands at a time: calls `work(first, beyond)` for ranges of them, one after
-// the other.
+// The same for what is done for many points, some thousands at a time: calls `work(first, beyond)` for ranges of them,
+// one after the other.
 template <class Work>
 void run_in_pieces(std::size_t size, const Work& work)
 {

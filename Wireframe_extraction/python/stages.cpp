@@ -63,8 +63,8 @@ enum Stage_number
   RECOGNIZE
 };
 
-// Each stage is a function of what the stages before have left. What it makes is kept only once it has come to its end, and
-// with Python's lock: a stage that was stopped leaves everything as it was, and is run again from the same values.
+// Each stage is a function of what the stages before have left. What it makes is kept only once it has come to its end,
+// and with Python's lock: a stage that was stopped leaves everything as it was, and is run again from the same values.
 class Stages
 {
 public:
@@ -345,8 +345,8 @@ private:
     return result;
   }
 
-  // Runs `make(report, callback)` beside, and then `keep(what it made, report)` if nothing stopped it and the input is valid.
-  // Returns the report of all stages up to this one.
+  // Runs `make(report, callback)` beside, and then `keep(what it made, report)` if nothing stopped it and the input is
+  // valid. Returns the report of all stages up to this one.
   template <class Make, class Keep>
   py::dict run(Stage_number number, const char* name, const py::object& progress, const Make& make, const Keep& keep)
   {

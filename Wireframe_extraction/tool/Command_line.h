@@ -324,7 +324,8 @@ private:
           throw CLI::ValidationError("--format: " + formats[i] + " is given twice");
   }
 
-  // what was given and differs from the defaults, as it decides on the results; the version says which defaults these are
+  // what was given and differs from the defaults, as it decides on the results; the version says
+  // which defaults these are
   std::string settings() const
   {
     std::string text = "version " WIREFRAME_EXTRACTION_VERSION_STRING;

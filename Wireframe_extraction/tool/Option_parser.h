@@ -45,7 +45,8 @@ public:
     return result;
   }
 
-  // The library speaks of its named parameters, the user of the tool knows them as options, by the first of their names.
+  // The library speaks of its named parameters, the user of the tool knows them as options, by the
+  // first of their names.
   std::string with_option_names(std::string text) const
   {
     for (const CLI::Option* const option : m_app.get_options())

@@ -39,7 +39,8 @@ struct Input
   double sampling_distance = 0., minimum_fold = 20., maximum_facet_fold = 50.;
   int maximum_number_of_points = 200000;
   bool use_boundaries = false;
-  // is asked with the share that is done whether to go on while a mesh is sampled, or what can be read only once is read
+  // is asked with the share that is done whether to go on while a mesh is sampled, or what can be
+  // read only once is read
   std::function<bool(double)> callback;
 
   // whether it is told where CLOUD has its distances
@@ -65,8 +66,8 @@ public:
   virtual std::string note() const { return std::string(); }
 };
 
-// Opens a cloud. Patches, meshes that are sampled, and what can be read only once, are read at once: then `error` may have
-// what went wrong.
+// Opens a cloud. Patches, meshes that are sampled, and what can be read only once, are read at once: then `error` may
+// have what went wrong.
 std::unique_ptr<Input_cloud> open_input(const Input& input, std::string& error);
 
 } // namespace tool

@@ -39,8 +39,8 @@ std::string scan_text(const std::string& name)
       "(--field), or if the mesh is a shape whose edges are edges of the mesh, --mesh cad";
 }
 
-// Takes the vertices of a mesh that is a scan, each once: in STL, every triangle has vertices of its own. Returns what is wrong
-// with that.
+// Takes the vertices of a mesh that is a scan, each once: in STL, every triangle has vertices of its own. Returns what
+// is wrong with that.
 std::string take_vertices(const Input& input, const internal::Polygon_soup& soup, const std::string& name,
                           Cloud_in_memory& result)
 {

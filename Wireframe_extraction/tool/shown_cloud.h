@@ -27,8 +27,8 @@ typedef std::vector<std::pair<Kernel::Point_3, double>> Cloud;
 // more points than this make pages and pictures large, and none of them is missed
 constexpr std::size_t most_shown_points = 1000000;
 
-// Reads as many points as are shown: of more, evenly many from everywhere. Returns whether the cloud could be read. If the
-// distances were estimated, they are those of `field`.
+// Reads as many points as are shown: of more, evenly many from everywhere. Returns whether the cloud could be read. If
+// the distances were estimated, they are those of `field`.
 inline bool sample(Input_cloud& cloud, const CGAL::Wireframe_extraction::Distance_field& field, Cloud& result)
 {
   std::size_t seen = 0;

@@ -17,8 +17,8 @@
 
 namespace tool {
 
-// As PLY, with what the stages that follow have to know as comments. Returns false, with what went wrong, if the cloud cannot
-// be read once more.
+// As PLY, with what the stages that follow have to know as comments. Returns false, with what went wrong, if the cloud
+// cannot be read once more.
 inline bool write_field(std::ostream& stream, Input_cloud& cloud,
                         const CGAL::Wireframe_extraction::Distance_field& field, std::string& error)
 {

@@ -1,5 +1,5 @@
-// A wireframe need not come from a cloud. This one, of a cylinder, is made by hand and written in several formats: those
-// that know circles and lines get circles and lines, the others polylines.
+// A wireframe need not come from a cloud. This one, of a cylinder, is made by hand and written in several formats:
+// those that know circles and lines get circles and lines, the others polylines.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Wireframe_extraction/IO/write_wireframe.h>

@@ -1,5 +1,5 @@
-// A regressor that sees one patch at a time says "far" where the feature lies in another patch. Here a cloud is cut into
-// patches that overlap, and they are put together again.
+// A regressor that sees one patch at a time says "far" where the feature lies in another patch. Here a cloud is cut
+// into patches that overlap, and they are put together again.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Wireframe_extraction/IO/read_distance_cloud.h>

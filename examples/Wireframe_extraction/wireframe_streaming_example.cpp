@@ -12,7 +12,8 @@ typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_3 Point_3;
 namespace parameters = CGAL::Wireframe_extraction::parameters;
 
-// Two ways for clouds that are too large for the memory: a file that is read several times, and points that pass by once.
+// Two ways for clouds that are too large for the memory: a file that is read several times, and
+// points that pass by once.
 int main(int argc, char* argv[])
 {
   const char* filename = argc > 1 ? argv[1] : "data/box_with_hole.ply";

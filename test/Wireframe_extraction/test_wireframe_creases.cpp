@@ -468,7 +468,8 @@ struct Contracted
 
 bool go_on(double) { return true; }
 
-// A curve along a crease that the field denies for the most part is not kept. It is not followed from each of its places.
+// A curve along a crease that the field denies for the most part is not kept. It is not followed
+// from each of its places.
 void test_rejected_curves_are_followed_once()
 {
   Sheet sheet = folded(90. * degree);

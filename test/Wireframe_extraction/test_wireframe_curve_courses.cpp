@@ -1,4 +1,5 @@
-// No line, circle or ellipse leaves the points that it stands for, along its whole length; and cancelling the recognition.
+// No line, circle or ellipse leaves the points that it stands for, along its whole length; and
+// cancelling the recognition.
 
 #include <CGAL/Wireframe_extraction/internal/field/complete_band.h>
 #include <CGAL/Wireframe_extraction/internal/types/Primitive_course.h>
@@ -349,8 +350,8 @@ Polyline slot(double start)
   return result;
 }
 
-// A closed curve is cut where its pieces meet, wherever it starts: neighbors share vertices and tangents there. A vertex
-// that only chance put on it is left out.
+// A closed curve is cut where its pieces meet, wherever it starts: neighbors share vertices and tangents there. A
+// vertex that only chance put on it is left out.
 void test_closed_curve()
 {
   for (const double start : {3., 10., 25., 47.})

@@ -1,4 +1,5 @@
-// Lines, circles and ellipses: their geometry, the fits, the test that takes or refuses them, the cuts, and the common fit.
+// Lines, circles and ellipses: their geometry, the fits, the test that takes or refuses them, the
+// cuts, and the common fit.
 
 #include <CGAL/Wireframe_extraction/internal/types/Curve_cutter.h>
 #include <CGAL/Wireframe_extraction/internal/types/Curve_regularities.h>

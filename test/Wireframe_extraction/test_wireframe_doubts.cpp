@@ -255,8 +255,8 @@ void test_box()
     assert(!curve.is_doubtful());
 }
 
-// A field in a plane, with twice the errors that it is said to have: the distances to a piece of a sine curve, about two
-// waves of it.
+// A field in a plane, with twice the errors that it is said to have: the distances to a piece of a sine curve, about
+// two waves of it.
 Doubts doubts_about_wave(double amplitude, double significance)
 {
   std::mt19937 random(8);

@@ -46,8 +46,8 @@ public:
     return std::sqrt(-2. * std::log(u)) * std::cos(2. * CGAL_PI * uniform(0., 1.));
   }
 
-  // Half-planes that meet in the y axis, folded by `angle` (radians) against each other, each `width` wide and 2 `length`
-  // long, moved by noise across.
+  // Half-planes that meet in the y axis, folded by `angle` (radians) against each other, each `width` wide and 2
+  // `length` long, moved by noise across.
   Points folded_plane(double angle, double width, double length, double noise)
   {
     Points points;

@@ -359,8 +359,8 @@ Curve_network fork(double length_of_stem, double first_angle, double second_angl
     {branch(first_angle), branch(second_angle), is_turned ? straight(end, middle) : straight(middle, end)});
 }
 
-// A short curve to which two lead belongs to both, if they come from behind it: then these meet at its end. The angle may
-// be larger where the stem ends freely, as a trace may have gone astray there.
+// A short curve to which two lead belongs to both, if they come from behind it: then these meet at its end. The angle
+// may be larger where the stem ends freely, as a trace may have gone astray there.
 void test_acute_corners()
 {
   const auto is_closed = [](Curve_network network, const Vector& end) {
@@ -732,8 +732,8 @@ void test_gaps()
 
 // Cancelling -------------------------------------------------------------------------------------------
 
-// Cells far from each other, in each of which every step finds something: ends that agree, an end beside another curve, a
-// crossing, a gap, a free end before a node, a fork that only one crease holds, and a spur.
+// Cells far from each other, in each of which every step finds something: ends that agree, an end beside another curve,
+// a crossing, a gap, a free end before a node, a fork that only one crease holds, and a spur.
 Curve_network network_of_cells(std::size_t side)
 {
   std::vector<Polyline> lines;

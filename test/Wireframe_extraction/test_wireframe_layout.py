@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Tests how the source is laid out: that includes point downwards, that include guards equal paths, and that C++ looks
-as .clang-format says.
+"""Tests how the source is laid out: that includes point downwards, that include guards equal paths, that C++ looks as
+.clang-format says, that no line is too long, and that members have the names of members.
 
 usage: test_wireframe_layout.py ROOT [options of unittest]
 """
@@ -37,6 +37,7 @@ FOLDERS = ("Wireframe_extraction", "test", "examples", "benchmark")   # of C++
 WITHOUT_GUARD = ("CGAL/Wireframe_extraction/internal/options/parameters_interface.h",
                  "CGAL/Wireframe_extraction/internal/options/shared_parameters_interface.h")
 CLANG_FORMAT_VERSION = 14
+MOST_COLUMNS = 120   # as in .clang-format
 
 
 def includes_of(path):
@@ -177,9 +178,68 @@ def badly_formatted(program, root, paths):
     return sorted({match[1] + ":" + match[2] for match in re.finditer(r"(?m)^(/[^:\n]+):(\d+):\d+: ", done.stderr)})
 
 
+def long_lines(path):
+    """The numbers of lines with too many columns: clang-format leaves comments as they are."""
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        if len(line) > MOST_COLUMNS:
+            yield number
+
+
+# what clang-format makes of data members without their values: a type, and names
+DATA_MEMBER = re.compile(r"(?!(?:typedef|using|static|friend|enum|struct|class|template|return|explicit|CGAL_\w+)\b)"
+                         r"(?:mutable |const )*[\w:]+(?:<.*>)?(?:::\w+)?(?: const)?[ *&]+(?:const )?(\w+(?:, \w+)*);")
+# programs that make cases are older than the rule
+WITHOUT_NAMES_OF_MEMBERS = ("Case_maker", "Sample_solids")
+
+
+def without_values(declaration):
+    """A declaration without comment, initial values and bounds of arrays."""
+    text = declaration.split(" //")[0]
+    while re.search(r"[{[]", text):
+        shorter = re.sub(r"( = )?(\{[^{}\[\]]*\}|\[[^{}\[\]]*\])", "", text)
+        if shorter == text:
+            return ""
+        text = shorter
+    return re.sub(r" = [^,;]+", "", text)
+
+
+def badly_named_members(path):
+    """Yields line number and name of data members of classes that are not public and do not start with m_. Those of
+    structs are public."""
+    lines = path.read_text(encoding="utf-8").splitlines()
+    for begin, line in enumerate(lines[:-1]):
+        head = re.match(r"( *)class \w[^;]*$", line)
+        if not head or lines[begin + 1] != head[1] + "{":
+            continue
+        is_public = False
+        for number, text in enumerate(lines[begin + 2:], begin + 3):
+            if text == head[1] + "};":
+                break
+            section = re.match(re.escape(head[1]) + r"(public|private|protected):", text)
+            is_public = section[1] == "public" if section else is_public
+            indented = re.match(re.escape(head[1]) + r"  (\S.*)", text)
+            member = indented and DATA_MEMBER.match(without_values(indented[1]))
+            if member and not is_public:
+                yield from ((number, name) for name in member[1].split(", ") if not name.startswith("m_"))
+
+
 class Layout_test(unittest.TestCase):
     root = None   # set by main()
     maxDiff = None
+
+    def sources(self):
+        paths = [path for folder in FOLDERS for end in ("h", "cpp") for path in (self.root / folder).rglob("*." + end)]
+        self.assertGreater(len(paths), 100)
+        return paths
+
+    def test_columns(self):
+        self.assertEqual([], [f"{path}:{number}" for path in self.sources() for number in long_lines(path)],
+                         f"more than {MOST_COLUMNS} columns")
+
+    def test_names_of_members(self):
+        paths = [path for path in self.sources() if not set(WITHOUT_NAMES_OF_MEMBERS) & set(path.parts)]
+        self.assertEqual([], [f"{path}:{number}: {name}" for path in paths
+                              for number, name in badly_named_members(path)], "data members of classes start with m_")
 
     def test_library(self):
         self.assertEqual([], Library(self.root).problems())
@@ -188,9 +248,7 @@ class Layout_test(unittest.TestCase):
         program = find_clang_format()
         if not program:
             self.skipTest(f"there is no clang-format {CLANG_FORMAT_VERSION} (Debian 12: clang-format)")
-        paths = [path for folder in FOLDERS for end in ("h", "cpp") for path in (self.root / folder).rglob("*." + end)]
-        self.assertGreater(len(paths), 100)
-        self.assertEqual([], badly_formatted(program, self.root, paths), "lay them out with: clang-format -i FILE")
+        self.assertEqual([], badly_formatted(program, self.root, self.sources()), "lay them out with: clang-format -i FILE")
 
 
 class Planted_test(unittest.TestCase):
@@ -284,6 +342,14 @@ class Planted_test(unittest.TestCase):
         self.check_found("internal/fit/Renamed.h:1", "CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_RENAMED_H")
         self.plant("internal/misc/Planted.h")
         self.check_found("internal/misc/Planted.h:1", "no group internal/misc")
+
+    def test_columns_and_names(self):
+        path = self.root / "planted.h"
+        path.write_text("// " + "x" * 117 + "\n// " + "x" * 118 + "\nclass A\n{\n  int m_a[2], b = 0, m_c{1};\n  double* c;\n"
+                        "  static constexpr int d = 1;\n  std::vector<std::pair<int, int>> e;\n  int f() const;\n\n"
+                        "public:\n  int g;\n\nprivate:\n  const std::string& h;\n};\nstruct B\n{\n  int i;\n};\n")
+        self.assertEqual([2], list(long_lines(path)))
+        self.assertEqual(["b", "c", "e", "h"], [name for _, name in badly_named_members(path)])
 
     def test_layout(self):
         program = find_clang_format()

@@ -24,6 +24,7 @@ PAGES = pathlib.Path("doc/Wireframe_extraction")
 USER_MANUAL = PAGES / "Wireframe_extraction.txt"
 OPTIONS = HEADERS / "Wireframe_extraction/internal/options/Extraction_options.h"
 PARAMETER_LIST = HEADERS / "Wireframe_extraction/internal/options/parameters_interface.h"
+DOXYFILE = PAGES / "Doxyfile.in"
 # where the stages read their parameters, besides their own headers
 STAGES = {"select_skeleton.h": ("field/select_skeleton_impl.h",), "contract_skeleton.h": ("field/contract_impl.h",),
           "refine_field.h": ("field/refine_impl.h",), "detect_corners.h": ("network/corner_groups_impl.h",),
@@ -131,10 +132,17 @@ def known_parameters(root):
                           (root / PARAMETER_LIST).read_text(encoding="utf-8")))
 
 
+def aliases_of_parameters():
+    """The descriptions of named parameters that several functions share, by the names by which headers call them."""
+    return dict(re.findall(r'"(wireframeParam\w+)=(.*)"', (ROOT / DOXYFILE).read_text(encoding="utf-8")))
+
+
 def documented_defaults(root):
     """Yields header, parameter and default of each description of a named parameter."""
+    aliases = aliases_of_parameters()
     for path in public_headers(root):
         source = re.sub(r"^\s*///", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
+        source = re.sub(r"\\(wireframeParam\w+)(\{[^}]*\})?", lambda match: aliases[match[1]], source)
         for name, body in re.findall(r"\\cgalParamNBegin\{(\w+)\}(.*?)\\cgalParamNEnd", source, re.DOTALL):
             default = re.search(r"\\cgalParamDefault\{(.*?)\}\s*(?:\\|$)", body, re.DOTALL)
             yield path.name, name, " ".join(default.group(1).split()) if default else ""

@@ -552,8 +552,8 @@ void test_prune_keeps_one_of_equal_curves()
   }
 }
 
-// The same where one of them is the nearest for all points, as along the border of a surface: the other one has no point
-// of its own, and yet there is none left if both go.
+// The same where one of them is the nearest for all points, as along the border of a surface: the other one has no
+// point of its own, and yet there is none left if both go.
 void test_prune_at_a_border()
 {
   std::mt19937 random(11);
@@ -611,8 +611,8 @@ Curve_network corner_network()
   return network;
 }
 
-// Both courses are fitted before they are compared: an exact field tells a corner from a rounding with a radius of one and
-// a half distances between its points, whatever these are.
+// Both courses are fitted before they are compared: an exact field tells a corner from a rounding with a radius of one
+// and a half distances between its points, whatever these are.
 void test_rounded_corners()
 {
   const std::function<bool(double)> uninterrupted;
@@ -762,9 +762,9 @@ Polyline winding(double length, double turn, const Vector& start, const Vector& 
   return result;
 }
 
-// What the field says is not what the curve was traced along: another curve from the same start, one beside it, a part of
-// it, or one across it. Wherever the fit takes it, no place of it is farther from both the points and its trace than a point
-// that supports it may be.
+// What the field says is not what the curve was traced along: another curve from the same start, one beside it, a part
+// of it, or one across it. Wherever the fit takes it, no place of it is farther from both the points and its trace than
+// a point that supports it may be.
 void test_no_spline_leaves_its_points()
 {
   for (unsigned int seed = 0; seed < 400; ++seed)

@@ -49,9 +49,9 @@ namespace CGAL {
 ///
 /// The call returns when the window is closed; at once if the macro or the environment variable `CGAL_TEST_SUITE` is
 /// set. It needs Qt, which the CMake target `CGAL::Wireframe_extraction_Qt` links; that defines the macro
-/// `CGAL_USE_BASIC_VIEWER`, too. Without this macro a message is written to `std::cerr`, and nothing else is done. If the
-/// wireframe has a number that is not finite, or is malformed in another way, there is such a message, too, and the window
-/// stays empty.
+/// `CGAL_USE_BASIC_VIEWER`, too. Without this macro a message is written to `std::cerr`, and nothing else is done. If
+/// the wireframe has a number that is not finite, or is malformed in another way, there is such a message, too, and the
+/// window stays empty.
 ///
 /// \tparam GeomTraits a model of `WireframeExtractionTraits_3`
 ///

@@ -26,8 +26,9 @@ namespace CGAL {
 /*!
 \ingroup PkgWireframeExtractionFunctions
 
-extracts the parametric wireframe of a shape from a dense point cloud of its surface. Every point may carry an estimate of
-its distance to the nearest sharp feature curve; where there are no distances, they are estimated from the points alone.
+extracts the parametric wireframe of a shape from a dense point cloud of its surface. Every point may carry an estimate
+of its distance to the nearest sharp feature curve; where there are no distances, they are
+estimated from the points alone.
 
 The function chains `estimate_sampling_distance()`, `estimate_distance_field()` if there are no distances,
 `select_skeleton()`, `contract_skeleton()`, `refine_field()`,
@@ -43,11 +44,7 @@ cloud, up to rounding. What visitor, callback and property maps throw is passed 
 \param points the cloud
 \param np an optional sequence of named parameters, those of the stages and:
 \cgalNamedParamsBegin
-  \cgalParamNBegin{point_map}
-    \cgalParamDescription{a property map from the value type of `points` to points}
-    \cgalParamType{a model of `ReadablePropertyMap`}
-    \cgalParamDefault{the first of a pair, or the value itself}
-  \cgalParamNEnd
+  \wireframeParamPointMap
   \cgalParamNBegin{distance_map}
     \cgalParamDescription{a property map from the value type of `points` to the distance to the nearest sharp feature}
     \cgalParamType{a model of `ReadablePropertyMap`}
@@ -78,12 +75,7 @@ cloud, up to rounding. What visitor, callback and property maps throw is passed 
     \cgalParamDefault{1048576}
     \cgalParamExtra{The result is the same, up to rounding. A cloud without distances is copied whatever its size.}
   \cgalParamNEnd
-  \cgalParamNBegin{skip_invalid}
-    \cgalParamDescription{whether points that are not finite or have a negative distance are left out; otherwise they
-                          are an error}
-    \cgalParamType{`bool`}
-    \cgalParamDefault{`false`}
-  \cgalParamNEnd
+  \wireframeParamSkipInvalid
   \cgalParamNBegin{use_creases}
     \cgalParamDescription{whether `refine_field()` corrects the field by the surface}
     \cgalParamType{`bool`}
@@ -104,16 +96,8 @@ cloud, up to rounding. What visitor, callback and property maps throw is passed 
     \cgalParamType{a model of `WireframeExtractionVisitor`, or a `std::reference_wrapper` of one}
     \cgalParamDefault{`Wireframe_extraction::Default_visitor`}
   \cgalParamNEnd
-  \cgalParamNBegin{callback}
-    \cgalParamDescription{a function that is called with the share that is done and returns whether to go on}
-    \cgalParamType{an instance of `std::function<bool(double)>`}
-    \cgalParamDefault{unused}
-  \cgalParamNEnd
-  \cgalParamNBegin{geom_traits}
-    \cgalParamDescription{an instance of a geometric traits class}
-    \cgalParamType{a model of `WireframeExtractionTraits_3`}
-    \cgalParamDefault{the kernel of the point type}
-  \cgalParamNEnd
+  \wireframeParamCallback
+  \wireframeParamCloudTraits
 \cgalNamedParamsEnd
 
 \return the wireframe. It is empty if the input is invalid, if there is no feature, or after cancelling; the report
@@ -150,8 +134,8 @@ features. The result is that of
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag` (the default)
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param source the cloud, for instance an `IO::Distance_cloud_file`. If it cannot be read, the report has the reason. If it
-has no distances, they are estimated, for which all of its points are in memory.
+\param source the cloud, for instance an `IO::Distance_cloud_file`. If it cannot be read, the report has the reason. If
+it has no distances, they are estimated, for which all of its points are in memory.
 \param np an optional sequence of named parameters: those of `extract_wireframe()`, except `point_map` and
 `distance_map`
 

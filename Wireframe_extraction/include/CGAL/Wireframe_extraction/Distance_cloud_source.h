@@ -23,7 +23,8 @@ namespace Wireframe_extraction {
 \ingroup PkgWireframeExtractionClasses
 
 The base of clouds that need not be in memory: they hand out their points chunk by chunk, as often as they are asked,
-with distances or without. `IO::Distance_cloud_file` is one; derive from this class what comes from elsewhere, for instance from a data base.
+with distances or without. `IO::Distance_cloud_file` is one; derive from this class what comes from elsewhere, for
+instance from a data base.
 
 \sa `extract_wireframe_from_source()`
 */
@@ -50,17 +51,17 @@ public:
   virtual bool read(const Sink& sink) = 0;
 
   /// returns whether the distances of the samples are known. If not, they are not looked at, and
-  /// `extract_wireframe_from_source()` estimates them, for which all points have to be in memory. It is asked once the first
-  /// samples were handed out. The default is `true`.
+  /// `extract_wireframe_from_source()` estimates them, for which all points have to be in memory. It is asked once the
+  /// first samples were handed out. The default is `true`.
   virtual bool has_distances() const { return true; }
 
   /// returns the number of samples if it is known without reading them, else 0, as the default does. It serves to
   /// reserve memory.
   virtual std::size_t size_hint() const { return 0; }
 
-  /// returns what went wrong, in one line; empty if nothing did. A class whose `read()` can fail is expected to override
-  /// it: the message becomes that of the report. The default is an empty text, for which the report says no more than
-  /// that the cloud cannot be read.
+  /// returns what went wrong, in one line; empty if nothing did. A class whose `read()` can fail is expected to
+  /// override it: the message becomes that of the report. The default is an empty text, for which the report says no
+  /// more than that the cloud cannot be read.
   virtual std::string error_message() const { return std::string(); }
 };
 

@@ -24,8 +24,8 @@ namespace Wireframe_extraction {
 /// \sa `estimate_distance_field()`
 struct Distance_field
 {
-  /// for each point of the cloud, in its order, the distance to the nearest sharp feature, in the cloud's unit. Points that
-  /// were left out since they are invalid have no number (NaN).
+  /// for each point of the cloud, in its order, the distance to the nearest sharp feature, in the cloud's unit. Points
+  /// that were left out since they are invalid have no number (NaN).
   std::vector<double> distances;
   /// the standard deviations of the distances, in the cloud's unit
   std::vector<double> deviations;

@@ -57,9 +57,9 @@ using Wireframe_graph =
 
 returns a wireframe as a graph of the Boost Graph Library. Vertex `v` is the wireframe's vertex of that index, with its
 position, and each curve that has vertices is an edge from its source to its target, whose `Wireframe_edge::curve_id` is
-the index of the curve; edges are in the order of the curves. Curves between the same two vertices become parallel edges,
-and a closed curve with a vertex becomes a loop, which counts twice in the degree. A closed curve without vertex has
-none to be seen at: it is not in the graph, so look for curves whose source is `Wireframe_curve::no_vertex`.
+the index of the curve; edges are in the order of the curves. Curves between the same two vertices become parallel
+edges, and a closed curve with a vertex becomes a loop, which counts twice in the degree. A closed curve without vertex
+has none to be seen at: it is not in the graph, so look for curves whose source is `Wireframe_curve::no_vertex`.
 
 \tparam GeomTraits a model of `WireframeExtractionTraits_3`
 

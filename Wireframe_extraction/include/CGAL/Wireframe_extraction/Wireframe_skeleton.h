@@ -97,8 +97,8 @@ public:
     return m_traits.construct_vector_3_object()(FT(t.x()), FT(t.y()), FT(t.z()));
   }
 
-  /// returns the root mean square of the field's residuals close to the foot, of those points that no other curve nearby
-  /// explains better, in the cloud's unit.
+  /// returns the root mean square of the field's residuals close to the foot, of those points that no other curve
+  /// nearby explains better, in the cloud's unit.
   /// \pre `is_contracted()` and `i < size()`
   FT residual(std::size_t i) const { return FT(contraction().own_residuals[i] * m_data.unit); }
 

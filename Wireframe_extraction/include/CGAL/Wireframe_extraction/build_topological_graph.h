@@ -122,16 +122,8 @@ builds the topological graph of a wireframe: polylines that end in corners.
     \cgalParamType{`double`}
     \cgalParamDefault{4}
   \cgalParamNEnd
-  \cgalParamNBegin{callback}
-    \cgalParamDescription{a function that is called with the share that is done and returns whether to go on}
-    \cgalParamType{an instance of `std::function<bool(double)>`}
-    \cgalParamDefault{unused}
-  \cgalParamNEnd
-  \cgalParamNBegin{extraction_report}
-    \cgalParamDescription{a reference to what gets the status and the message: `std::ref(report)`}
-    \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
-    \cgalParamDefault{unused}
-  \cgalParamNEnd
+  \wireframeParamCallback
+  \wireframeParamReport
 \cgalNamedParamsEnd
 
 \return the graph. After cancelling, it holds the curves traced so far. It is empty if a parameter is out of its range.

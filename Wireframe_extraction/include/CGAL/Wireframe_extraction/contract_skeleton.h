@@ -49,17 +49,8 @@ points around the skeleton that `select_skeleton()` kept are let go.
     \cgalParamDefault{the median of the residuals}
     \cgalParamExtra{A negative value stands for the default.}
   \cgalParamNEnd
-  \cgalParamNBegin{callback}
-    \cgalParamDescription{a function that is called with the share that is done and returns whether to go on}
-    \cgalParamType{an instance of `std::function<bool(double)>`}
-    \cgalParamDefault{unused}
-    \cgalParamExtra{After cancelling, the skeleton is as it was before.}
-  \cgalParamNEnd
-  \cgalParamNBegin{extraction_report}
-    \cgalParamDescription{a reference to what gets the status and the message: `std::ref(report)`}
-    \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
-    \cgalParamDefault{unused}
-  \cgalParamNEnd
+  \wireframeParamCallback{After cancelling, the skeleton is as it was before.}
+  \wireframeParamReport
 \cgalNamedParamsEnd
 
 \return whether the skeleton is contracted. It is as it was before if not: after cancelling, or if a parameter is out

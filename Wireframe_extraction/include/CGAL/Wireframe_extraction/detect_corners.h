@@ -69,21 +69,12 @@ detects where curves meet. Two measures are at hand:
     \cgalParamType{`double`}
     \cgalParamDefault{3}
   \cgalParamNEnd
-  \cgalParamNBegin{extraction_report}
-    \cgalParamDescription{a reference to what gets the status and the message: `std::ref(report)`}
-    \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
-    \cgalParamDefault{unused}
-  \cgalParamNEnd
-  \cgalParamNBegin{callback}
-    \cgalParamDescription{a function that is called with the share that is done and returns whether to go on}
-    \cgalParamType{an instance of `std::function<bool(double)>`}
-    \cgalParamDefault{unused}
-    \cgalParamExtra{After cancelling, there are no corners, and the status in the report is `CANCELLED`.}
-  \cgalParamNEnd
+  \wireframeParamReport
+  \wireframeParamCallback{After cancelling, there are no corners, and the status in the report is `CANCELLED`.}
 \cgalNamedParamsEnd
 
-\return the corners. Their centers are the centroids of their points. There is none if a parameter is out of its range, or after
-cancelling; the report has the reason.
+\return the corners. Their centers are the centroids of their points. There is none if a parameter is out of its range,
+or after cancelling; the report has the reason.
 
 Complexity: O(n log n + n k) for n points with k neighbors in a ball.
 */

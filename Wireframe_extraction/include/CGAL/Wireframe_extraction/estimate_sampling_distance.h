@@ -38,11 +38,7 @@ only about 0.55 r.
 \param points the cloud
 \param np an optional sequence of named parameters:
 \cgalNamedParamsBegin
-  \cgalParamNBegin{point_map}
-    \cgalParamDescription{a property map from the value type of `points` to points}
-    \cgalParamType{a model of `ReadablePropertyMap`}
-    \cgalParamDefault{the first of a pair, or the value itself}
-  \cgalParamNEnd
+  \wireframeParamPointMap
   \cgalParamNBegin{distance_map}
     \cgalParamDescription{a property map from the value type of `points` to the distance to the nearest sharp feature}
     \cgalParamType{a model of `ReadablePropertyMap`}
@@ -53,27 +49,14 @@ only about 0.55 r.
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{1048576}
   \cgalParamNEnd
-  \cgalParamNBegin{skip_invalid}
-    \cgalParamDescription{whether points that are not finite or have a negative distance are left out; otherwise they
-                          are an error}
-    \cgalParamType{`bool`}
-    \cgalParamDefault{`false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{extraction_report}
-    \cgalParamDescription{a reference to what gets the status and the message: `std::ref(report)`}
-    \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
-    \cgalParamDefault{unused}
-  \cgalParamNEnd
-  \cgalParamNBegin{geom_traits}
-    \cgalParamDescription{an instance of a geometric traits class}
-    \cgalParamType{a model of `WireframeExtractionTraits_3`}
-    \cgalParamDefault{the kernel of the point type}
-  \cgalParamNEnd
+  \wireframeParamSkipInvalid
+  \wireframeParamReport
+  \wireframeParamCloudTraits
 \cgalNamedParamsEnd
 
-\return the sampling distance in the cloud's unit; 0 if the cloud is one that `extract_wireframe()` refuses: without points,
-with invalid ones that are not to be skipped, with all points at one place or on one line, or with distances that do not fit the
-points. The report says which.
+\return the sampling distance in the cloud's unit; 0 if the cloud is one that `extract_wireframe()` refuses: without
+points, with invalid ones that are not to be skipped, with all points at one place or on one line, or with distances
+that do not fit the points. The report says which.
 
 Complexity: O(n log n) for n points.
 */

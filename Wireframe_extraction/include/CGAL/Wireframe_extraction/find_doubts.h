@@ -30,8 +30,8 @@ namespace Wireframe_extraction {
 /*!
 \ingroup PkgWireframeExtractionFunctions
 
-notes why curves of a finished wireframe may be wrong, in `Wireframe_curve::doubts`. Nothing else is changed, and what is
-there already, such as the `Wireframe_doubt::UNCERTAIN_TYPE` of `recognize_curve_types()`, stays. The manual has the
+notes why curves of a finished wireframe may be wrong, in `Wireframe_curve::doubts`. Nothing else is changed, and what
+is there already, such as the `Wireframe_doubt::UNCERTAIN_TYPE` of `recognize_curve_types()`, stays. The manual has the
 threshold of each reason.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag` (the default)
@@ -42,16 +42,8 @@ threshold of each reason.
 \param wireframe the wireframe that `fit_curves()` or `recognize_curve_types()` makes from it
 \param np an optional sequence of named parameters:
 \cgalNamedParamsBegin
-  \cgalParamNBegin{extraction_report}
-    \cgalParamDescription{a reference to what gets the status and the message: `std::ref(report)`}
-    \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
-    \cgalParamDefault{unused}
-  \cgalParamNEnd
-  \cgalParamNBegin{callback}
-    \cgalParamDescription{a function that is called with the share that is done and returns whether to go on}
-    \cgalParamType{an instance of `std::function<bool(double)>`}
-    \cgalParamDefault{unused}
-  \cgalParamNEnd
+  \wireframeParamReport
+  \wireframeParamCallback
   \cgalParamNBegin{noise_level}
     \cgalParamDescription{the standard deviation of the distances, in multiples of r}
     \cgalParamType{`double`}
@@ -60,8 +52,8 @@ threshold of each reason.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `true` on success. It is `false` if a parameter is out of its range, or after cancelling; then some doubts may be
-missing.
+\return `true` on success. It is `false` if a parameter is out of its range, or after cancelling; then some doubts may
+be missing.
 
 Complexity: O(n log n) for n points.
 */

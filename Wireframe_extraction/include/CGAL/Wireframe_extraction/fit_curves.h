@@ -72,16 +72,8 @@ along a spline cost the more the noisier the field is, so that splines do not fo
     \cgalParamType{`int`}
     \cgalParamDefault{3}
   \cgalParamNEnd
-  \cgalParamNBegin{callback}
-    \cgalParamDescription{a function that is called with the share that is done and returns whether to go on}
-    \cgalParamType{an instance of `std::function<bool(double)>`}
-    \cgalParamDefault{unused}
-  \cgalParamNEnd
-  \cgalParamNBegin{extraction_report}
-    \cgalParamDescription{a reference to what gets the status and the message: `std::ref(report)`}
-    \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
-    \cgalParamDefault{unused}
-  \cgalParamNEnd
+  \wireframeParamCallback
+  \wireframeParamReport
 \cgalNamedParamsEnd
 
 \return the wireframe. After cancelling, its curves are as far as the fit had come, without residuals and support. It is

@@ -52,11 +52,7 @@ namespace Wireframe_extraction {
 ///     \cgalParamType{`Patch_fusion`}
 ///     \cgalParamDefault{`Patch_fusion::MINIMUM`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{error_message}
-///     \cgalParamDescription{receives what went wrong; empty on success}
-///     \cgalParamType{`std::string*`}
-///     \cgalParamDefault{a null pointer: nothing is received}
-///   \cgalParamNEnd
+///   \wireframeParamErrorMessage
 /// \cgalNamedParamsEnd
 ///
 /// \return `true` if there is a cloud, else `false`: there are no points, a coordinate or distance is not finite, a

@@ -28,20 +28,22 @@ namespace Wireframe_extraction {
 
 replaces the splines of a wireframe by lines, circles, ellipses, and arcs of these, where the field says that they are.
 
-Along each curve, about every 1.5 r, the points nearby tell where the field has the curve and how firmly it is held there.
-A line, a circle and an ellipse are fitted to these stations by robust least squares, and the first of them is taken under
-which the stations are not less likely than `type_significance`: the sum of their squared residuals, in units of the variance
-that the noise level of the field implies, follows a chi-square distribution if the curve is the true one. Single residuals
-count as four standard deviations at most, and two stations as one independent observation, since neighbors share errors of
-the field. A curve that is none of them is cut: dynamic programming finds the lines and arcs, and the splines between them, of
-least Bayesian information criterion \cgalCite{Sch78}, so that a slot becomes two lines and two arcs. Three arcs of circles in a
-row are no evidence of arcs, for any smooth curve can be approximated so, and with fewer than three stations nothing is
-recognized: such curves stay splines. So do those that a line, a circle or an ellipse would replace that does not stay, along
-its whole length, within 1 r and four standard deviations of the spline; a little more over gaps, and 3 r around vertices.
+Along each curve, about every 1.5 r, the points nearby tell where the field has the curve and how firmly it is held
+there. A line, a circle and an ellipse are fitted to these stations by robust least squares, and the first of them is
+taken under which the stations are not less likely than `type_significance`: the sum of their squared residuals, in
+units of the variance that the noise level of the field implies, follows a chi-square distribution if the curve is the
+true one. Single residuals count as four standard deviations at most, and two stations as one independent observation,
+since neighbors share errors of the field. A curve that is none of them is cut: dynamic programming finds the lines and
+arcs, and the splines between them, of least Bayesian information criterion \cgalCite{Sch78}, so that a slot becomes two
+lines and two arcs. Three arcs of circles in a row are no evidence of arcs, for any smooth curve can be approximated so,
+and with fewer than three stations nothing is recognized: such curves stay splines. So do those that a line, a circle or
+an ellipse would replace that does not stay, along its whole length, within 1 r and four standard deviations of the
+spline; a little more over gaps, and 3 r around vertices.
 
-Then all lines, circles and ellipses are fitted once more, at once, with the vertices as common parameters: corners stay on
-all their curves, and where a cut joins a line and an arc, or two arcs, their tangents agree, if that is not less likely than
-`type_significance` either. What the common fit would make unlikely becomes a spline again. Splines follow the vertices.
+Then all lines, circles and ellipses are fitted once more, at once, with the vertices as common parameters: corners stay
+on all their curves, and where a cut joins a line and an arc, or two arcs, their tangents agree, if that is not less
+likely than `type_significance` either. What the common fit would make unlikely becomes a spline
+again. Splines follow the vertices.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag` (the default)
 \tparam GeomTraits a model of `WireframeExtractionTraits_3`
@@ -52,16 +54,16 @@ all their curves, and where a cut joins a line and an arc, or two arcs, their ta
 \param np an optional sequence of named parameters:
 \cgalNamedParamsBegin
   \cgalParamNBegin{type_significance}
-    \cgalParamDescription{the share of true lines, circles and ellipses that are taken for splines because of the errors of the
-                          field. A smaller one takes more curves for lines and circles}
+    \cgalParamDescription{the share of true lines, circles and ellipses that are taken for splines because of the errors
+                          of the field. A smaller one takes more curves for lines and circles}
     \cgalParamType{`double`}
     \cgalParamDefault{0.001}
     \cgalParamExtra{between 0 and 1}
   \cgalParamNEnd
   \cgalParamNBegin{regularize}
-    \cgalParamDescription{whether radii that are equal as closely as they are known, circles on one axis, and directions that
-                          are parallel or orthogonal, become exactly so. Where a curve would then be less likely than
-                          `type_significance`, its regularities are given up}
+    \cgalParamDescription{whether radii that are equal as closely as they are known, circles on one axis, and directions
+                          that are parallel or orthogonal, become exactly so. Where a curve would then be less likely
+                          than `type_significance`, its regularities are given up}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -82,12 +84,7 @@ all their curves, and where a cut joins a line and an arc, or two arcs, their ta
     \cgalParamType{`double`}
     \cgalParamDefault{20}
   \cgalParamNEnd
-  \cgalParamNBegin{callback}
-    \cgalParamDescription{a function that is called with the share that is done and returns whether to go on}
-    \cgalParamType{an instance of `std::function<bool(double)>`}
-    \cgalParamDefault{unused}
-    \cgalParamExtra{After cancelling, the wireframe is empty, and the status in the report is `CANCELLED`.}
-  \cgalParamNEnd
+  \wireframeParamCallback{After cancelling, the wireframe is empty, and the status in the report is `CANCELLED`.}
   \cgalParamNBegin{noise_level}
     \cgalParamDescription{the standard deviation of the distances, in multiples of r}
     \cgalParamType{`double`}
@@ -96,13 +93,13 @@ all their curves, and where a cut joins a line and an arc, or two arcs, their ta
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the wireframe with types, parameters and their uncertainties. Its vertices are those of `wireframe`, in their order,
-then those of the cuts. The vertex of a closed curve that passes smoothly through it, and is alone there, is left out if the
-curve becomes a circle or an ellipse, or is cut elsewhere. It is empty if a parameter is out of its range; the report has the
-reason.
+\return the wireframe with types, parameters and their uncertainties. Its vertices are those of `wireframe`, in their
+order, then those of the cuts. The vertex of a closed curve that passes smoothly through it, and is alone there, is left
+out if the curve becomes a circle or an ellipse, or is cut elsewhere. It is empty if a parameter is out of its range;
+the report has the reason.
 
-Complexity: O(n log n) for n points, besides the solution of the sparse normal equations. The number of places at which a curve
-may be cut is bounded.
+Complexity: O(n log n) for n points, besides the solution of the sparse normal equations. The number of places at which
+a curve may be cut is bounded.
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTraits,
           class NamedParameters = CGAL::parameters::Default_named_parameters>

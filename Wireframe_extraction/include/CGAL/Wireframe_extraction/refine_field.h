@@ -66,21 +66,12 @@ Precise fields, whose noise level is below 0.03 r, are left as they are, and so 
     \cgalParamDefault{the median of the residuals, or the typical deviation of the creases if that is larger}
     \cgalParamExtra{A negative value stands for the default.}
   \cgalParamNEnd
-  \cgalParamNBegin{callback}
-    \cgalParamDescription{a function that is called with the share that is done and returns whether to go on}
-    \cgalParamType{an instance of `std::function<bool(double)>`}
-    \cgalParamDefault{unused}
-    \cgalParamExtra{After cancelling, the skeleton is as it was before.}
-  \cgalParamNEnd
-  \cgalParamNBegin{extraction_report}
-    \cgalParamDescription{a reference to what gets the status and the message: `std::ref(report)`}
-    \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
-    \cgalParamDefault{unused}
-  \cgalParamNEnd
+  \wireframeParamCallback{After cancelling, the skeleton is as it was before.}
+  \wireframeParamReport
 \cgalNamedParamsEnd
 
-\return whether the skeleton is refined, or need not be. It is as it was before if not: after cancelling, or if a parameter is out
-of its range; the report says which.
+\return whether the skeleton is refined, or need not be. It is as it was before if not: after cancelling, or if a
+parameter is out of its range; the report says which.
 
 Complexity: O(n (log n + k)) for n points around the skeleton with k neighbors each. The result is the same for all
 tags.

@@ -98,14 +98,14 @@ bool tell_about_mesh(const NamedParameters& np, const Sharp_mesh_report& report,
 /// Edges of more than two faces are sharp. Where a sharp curve ends within a face, it is followed along edges that are
 /// folded by 0.3 times `minimum_fold` or more, for no longer than it is sharp: its fold fades.
 ///
-/// Curves and surfaces are taken to be round where chords and facets approximate something round: sharp edges that turn on
-/// as chords of an arc do are replaced by that arc, and between facets that are folded by 3 to `maximum_facet_fold`
+/// Curves and surfaces are taken to be round where chords and facets approximate something round: sharp edges that turn
+/// on as chords of an arc do are replaced by that arc, and between facets that are folded by 3 to `maximum_facet_fold`
 /// degrees, the points are moved onto the parabola that has the mean normals at the vertices. So the cloud of a
 /// tessellated cylinder is that of a cylinder, with circles.
 ///
 /// Points at the same place are one, polygons are triangulated, triangles without area and triangles that are there
-/// twice are left out, and edges on which vertices of others lie are joined with them. The mesh need be neither closed nor
-/// oriented.
+/// twice are left out, and edges on which vertices of others lie are joined with them. The mesh need be neither closed
+/// nor oriented.
 ///
 /// Points are evenly spread: none is closer to another one on the same side than 0.9 sampling distances. They depend on
 /// `random_seed` alone, and not on the number of threads.
@@ -118,16 +118,16 @@ bool tell_about_mesh(const NamedParameters& np, const Sharp_mesh_report& report,
 ///
 /// \param points the vertices of the mesh
 /// \param polygons its faces: the indices of their vertices in `points`
-/// \param cloud the points and their distances, cut off at 50 sampling distances. What it held before is replaced; it is
-///   left as it was if the function fails.
+/// \param cloud the points and their distances, cut off at 50 sampling distances. What it held before is replaced; it
+///   is left as it was if the function fails.
 /// \param np an optional sequence of named parameters among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{sampling_distance}
 ///     \cgalParamDescription{the mean distance of a point to its nearest neighbor, in the unit of the mesh}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{such that most sharp curves are longer than 12 sampling distances, if `maximum_number_of_points`
-///                       allows it, and that there are at least about 20,000 points}
+///     \cgalParamDefault{such that most sharp curves are longer than 12 sampling distances, if
+///                       `maximum_number_of_points` allows it, and that there are at least about 20,000 points}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_points}
 ///     \cgalParamDescription{about how many points there may be if `sampling_distance` is not given}
@@ -135,14 +135,14 @@ bool tell_about_mesh(const NamedParameters& np, const Sharp_mesh_report& report,
 ///     \cgalParamDefault{`200000`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_fold}
-///     \cgalParamDescription{the angle, in degrees, between the normals of two faces from which on the edge between them
-///                           is sharp}
+///     \cgalParamDescription{the angle, in degrees, between the normals of two faces from which on the edge between
+///                           them is sharp}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`20`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_facet_fold}
-///     \cgalParamDescription{the angle, in degrees, up to which edges may belong to the facets by which a curved surface is
-///                           approximated}
+///     \cgalParamDescription{the angle, in degrees, up to which edges may belong to the facets by which a curved
+///                           surface is approximated}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`50`: a cylinder of eight facets is a cylinder, a hexagonal prism is a prism}
 ///     \cgalParamExtra{With 0, all folds are sharp that are larger than `minimum_fold`.}
@@ -174,9 +174,10 @@ bool tell_about_mesh(const NamedParameters& np, const Sharp_mesh_report& report,
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `true` if there is a cloud, else `false`: it was cancelled, there are no faces or none has an area, a face has fewer than three
-///   vertices or one that does not exist, a coordinate is not finite or beyond 10<sup>150</sup>, or the sampling distance
-///   would take more than 50 million points. A mesh without a sharp edge is no error: all distances are
+/// \return `true` if there is a cloud, else `false`: it was cancelled, there are no faces or none
+/// has an area, a face has fewer than three
+///   vertices or one that does not exist, a coordinate is not finite or beyond 10<sup>150</sup>, or the sampling
+///   distance would take more than 50 million points. A mesh without a sharp edge is no error: all distances are
 ///   50 sampling distances then.
 ///
 /// For n points and m edges, it takes time O(n log n + m log m), and memory for the points and the mesh.
@@ -224,14 +225,14 @@ bool sample_sharp_mesh(const PointRange& points, const PolygonRange& polygons, s
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{minimum_fold}
-///     \cgalParamDescription{the angle, in degrees, between the normals of two faces from which on the edge between them
-///                           is sharp}
+///     \cgalParamDescription{the angle, in degrees, between the normals of two faces from which on the edge between
+///                           them is sharp}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`20`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_facet_fold}
-///     \cgalParamDescription{the angle, in degrees, up to which edges may belong to the facets by which a curved surface is
-///                           approximated}
+///     \cgalParamDescription{the angle, in degrees, up to which edges may belong to the facets by which a curved
+///                           surface is approximated}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`50`: a cylinder of eight facets is a cylinder, a hexagonal prism is a prism}
 ///     \cgalParamExtra{With 0, all folds are sharp that are larger than `minimum_fold`.}

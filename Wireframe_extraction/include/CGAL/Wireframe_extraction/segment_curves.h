@@ -54,17 +54,8 @@ the other one's local curve. That separates curves that cross or run side by sid
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
-  \cgalParamNBegin{extraction_report}
-    \cgalParamDescription{a reference to what gets the status and the message: `std::ref(report)`}
-    \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
-    \cgalParamDefault{unused}
-  \cgalParamNEnd
-  \cgalParamNBegin{callback}
-    \cgalParamDescription{a function that is called with the share that is done and returns whether to go on}
-    \cgalParamType{an instance of `std::function<bool(double)>`}
-    \cgalParamDefault{unused}
-    \cgalParamExtra{After cancelling, there are no curves, and the status in the report is `CANCELLED`.}
-  \cgalParamNEnd
+  \wireframeParamReport
+  \wireframeParamCallback{After cancelling, there are no curves, and the status in the report is `CANCELLED`.}
 \cgalNamedParamsEnd
 
 \return for every curve the indices of its points in the skeleton, in ascending order. The curves are sorted by their

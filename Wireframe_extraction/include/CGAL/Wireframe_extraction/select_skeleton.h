@@ -33,11 +33,7 @@ points below `support_distance`, which later stages fit to.
 \param points the cloud
 \param np an optional sequence of named parameters:
 \cgalNamedParamsBegin
-  \cgalParamNBegin{point_map}
-    \cgalParamDescription{a property map from the value type of `points` to points}
-    \cgalParamType{a model of `ReadablePropertyMap`}
-    \cgalParamDefault{the first of a pair, or the value itself}
-  \cgalParamNEnd
+  \wireframeParamPointMap
   \cgalParamNBegin{distance_map}
     \cgalParamDescription{a property map from the value type of `points` to the distance to the nearest sharp feature}
     \cgalParamType{a model of `ReadablePropertyMap`}
@@ -76,27 +72,15 @@ points below `support_distance`, which later stages fit to.
     \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
-  \cgalParamNBegin{skip_invalid}
-    \cgalParamDescription{whether points that are not finite or have a negative distance are left out; otherwise they
-                          are an error}
-    \cgalParamType{`bool`}
-    \cgalParamDefault{`false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{extraction_report}
-    \cgalParamDescription{a reference to what gets the status and the message: `std::ref(report)`}
-    \cgalParamType{`std::reference_wrapper<Wireframe_extraction_report>`}
-    \cgalParamDefault{unused}
-  \cgalParamNEnd
-  \cgalParamNBegin{geom_traits}
-    \cgalParamDescription{an instance of a geometric traits class}
-    \cgalParamType{a model of `WireframeExtractionTraits_3`}
-    \cgalParamDefault{the kernel of the point type}
-  \cgalParamNEnd
+  \wireframeParamSkipInvalid
+  \wireframeParamReport
+  \wireframeParamCloudTraits
 \cgalNamedParamsEnd
 
-\return the skeleton; it is empty if no point lies below the threshold, if the cloud is one that `extract_wireframe()` refuses:
-without points, with invalid ones that are not to be skipped, with all points at one place or on one line, with distances that do
-not fit the points or are cut off too near the features; or if a parameter is out of its range. The report says which.
+\return the skeleton; it is empty if no point lies below the threshold, if the cloud is one that `extract_wireframe()`
+refuses: without points, with invalid ones that are not to be skipped, with all points at one place or on one line, with
+distances that do not fit the points or are cut off too near the features; or if a parameter is out
+of its range. The report says which.
 
 Complexity: O(n) for n points and O(m log m) for the m points kept, after the estimation of the sampling distance.
 */

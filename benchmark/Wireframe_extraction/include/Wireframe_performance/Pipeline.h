@@ -167,7 +167,8 @@ private:
     void operator()(const Kernel::Point_3&) const { ++*count; }
   };
 
-  // those that support the fits, and, unless the field is precise, those around the skeleton, where creases are looked for
+  // those that support the fits, and, unless the field is precise, those around the skeleton,
+  // where creases are looked for
   std::vector<Kernel::Point_3> points_in_use() const
   {
     const auto& band = m_selected.band();

@@ -30,8 +30,8 @@ namespace IO {
 /*!
 \ingroup PkgWireframeExtractionIO
 
-A point cloud, with a distance per point or without, that stays in its file, for clouds that are larger than the memory. The
-formats, and what makes a file wrong, are those of `read_distance_cloud()`.
+A point cloud, with a distance per point or without, that stays in its file, for clouds that are larger than the memory.
+The formats, and what makes a file wrong, are those of `read_distance_cloud()`.
 
 Files in the formats PLY, text, PCD, OFF and HDF5 are read chunk by chunk. Arrays of `.npy` and `.npz` files, and
 distances in a file of their own, are in memory while the cloud is read. The file is opened anew each time, so it
@@ -53,8 +53,8 @@ public:
   ///                           `has_distances()` tells whether they are known.}
   ///     \cgalParamType{`Wireframe_extraction::Field_origin`}
   ///     \cgalParamDefault{`Wireframe_extraction::Field_origin::GIVEN`}
-  ///     \cgalParamExtra{Of text without names, three columns have no distances, six neither if the last three look like a
-  ///                     normal, and more neither if the fourth to the sixth look like a color.}
+  ///     \cgalParamExtra{Of text without names, three columns have no distances, six neither if the last three look
+  ///                     like a normal, and more neither if the fourth to the sixth look like a color.}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{distance_property}
   ///     \cgalParamDescription{the name of the property or column that holds the distances}
@@ -72,12 +72,7 @@ public:
   ///     \cgalParamType{`std::string`}
   ///     \cgalParamDefault{what `distance_property` says}
   ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{skip_invalid}
-  ///     \cgalParamDescription{whether points with a coordinate or distance that is not finite, or a negative
-  ///                           distance, are left out instead of being an error}
-  ///     \cgalParamType{`bool`}
-  ///     \cgalParamDefault{`false`}
-  ///   \cgalParamNEnd
+  ///   \wireframeParamSkipInvalidOfFile
   /// \cgalNamedParamsEnd
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   explicit Distance_cloud_file(const std::string& filename,
@@ -110,12 +105,7 @@ public:
   ///     \cgalParamDefault{the first that is there of `distance`, `distances`, `sharpness`, `scalar_distance`,
   ///                       `quality`}
   ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{skip_invalid}
-  ///     \cgalParamDescription{whether points with a coordinate or distance that is not finite, or a negative
-  ///                           distance, are left out instead of being an error}
-  ///     \cgalParamType{`bool`}
-  ///     \cgalParamDefault{`false`}
-  ///   \cgalParamNEnd
+  ///   \wireframeParamSkipInvalidOfFile
   /// \cgalNamedParamsEnd
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
   Distance_cloud_file(const std::string& filename, const std::string& distances_filename,
@@ -137,8 +127,8 @@ public:
   /// returns whether the distances are known; before the file was read, whether they have to be.
   bool has_distances() const override { return m_has_distances; }
 
-  /// returns what was assumed about the columns of the file where it does not say it; empty if nothing was, and before it was
-  /// read.
+  /// returns what was assumed about the columns of the file where it does not say it; empty if nothing was, and before
+  /// it was read.
   const std::string& assumption() const { return m_assumption; }
 
   /// returns how many points were left out when the file was read last, since they are invalid.

@@ -173,13 +173,13 @@ struct Is_iterator<T, std::void_t<typename std::iterator_traits<T>::iterator_cat
 ///   and one for the distance, each a floating point number or integer of any size, in any order. Other
 ///   properties and other elements are passed over.
 /// - `.xyz`, `.txt`, `.csv`, `.asc`, `.pts`: text with one point per line, whose columns are separated by
-///   blanks, commas, or semicolons, and may be quoted. The distance is in the fourth column, unless a line of names before the
-///   first point (which may be a comment) says otherwise: then it has to name `x`, `y` and `z`, or as ParaView does `Points:0`,
-///   `Points:1` and `Points:2`. Where there are no names, further columns may follow; if, as far as several rows tell, columns
-///   four to six look like a normal or a color, the number of the column with the distance, counted from 1, must be given as
-///   `distance_property`. Comments start with `#`, `//` or `%`, or behind numbers with `#`; a line such as `sep=;` says what
-///   separates the columns; a first line that holds only the number of points is checked against it. Every line must have as many
-///   columns as the first.
+///   blanks, commas, or semicolons, and may be quoted. The distance is in the fourth column, unless a line of names
+///   before the first point (which may be a comment) says otherwise: then it has to name `x`, `y` and `z`, or as
+///   ParaView does `Points:0`, `Points:1` and `Points:2`. Where there are no names, further columns may follow; if, as
+///   far as several rows tell, columns four to six look like a normal or a color, the number of the column with the
+///   distance, counted from 1, must be given as `distance_property`. Comments start with `#`, `//` or `%`, or behind
+///   numbers with `#`; a line such as `sep=;` says what separates the columns; a first line that holds only the number
+///   of points is checked against it. Every line must have as many columns as the first.
 /// - `.pcd`: ascii or binary, not compressed, with the fields `x`, `y`, `z` and one for the distance.
 /// - `.npy`: an array of floating point numbers or integers with four columns, the last of which is the distance.
 /// - `.npz`: the arrays `points` (N x 3) and `distances` (N). What `numpy.savez_compressed()` writes needs zlib.
@@ -220,8 +220,8 @@ struct Is_iterator<T, std::void_t<typename std::iterator_traits<T>::iterator_cat
 ///     \cgalParamType{`std::string`}
 ///     \cgalParamDefault{the first that is there of `distance`, `distances`, `sharpness`, `scalar_distance`,
 ///                       `quality`; of text without names, the fourth column}
-///     \cgalParamExtra{A name that differs in case only is taken if there is no exact match, and then one behind `scalar_`, as
-///                     CloudCompare writes them.}
+///     \cgalParamExtra{A name that differs in case only is taken if there is no exact match, and then one behind
+///                     `scalar_`, as CloudCompare writes them.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{points_dataset}
 ///     \cgalParamDescription{the name of the data set of HDF5, or the array of `.npz`, that holds the points}
@@ -234,12 +234,7 @@ struct Is_iterator<T, std::void_t<typename std::iterator_traits<T>::iterator_cat
 ///     \cgalParamType{`std::string`}
 ///     \cgalParamDefault{what `distance_property` says}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{skip_invalid}
-///     \cgalParamDescription{whether points with a coordinate or distance that is not finite, or a negative
-///                           distance, are left out instead of being an error}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`false`}
-///   \cgalParamNEnd
+///   \wireframeParamSkipInvalidOfFile
 ///   \cgalParamNBegin{number_of_skipped}
 ///     \cgalParamDescription{receives the number of points that were left out}
 ///     \cgalParamType{`std::size_t*`}
@@ -297,12 +292,7 @@ bool read_distance_cloud(const std::string& filename, std::vector<std::pair<Poin
 ///     \cgalParamDefault{the first that is there of `distance`, `distances`, `sharpness`, `scalar_distance`,
 ///                       `quality`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{skip_invalid}
-///     \cgalParamDescription{whether points with a coordinate or distance that is not finite, or a negative
-///                           distance, are left out instead of being an error}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`false`}
-///   \cgalParamNEnd
+///   \wireframeParamSkipInvalidOfFile
 ///   \cgalParamNBegin{number_of_skipped}
 ///     \cgalParamDescription{receives the number of points that were left out}
 ///     \cgalParamType{`std::size_t*`}
@@ -335,10 +325,10 @@ bool read_distance_cloud(const std::string& filename, const std::string& distanc
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param stream the stream; opened with `std::ios::binary` unless its format is text
-/// \param format the extension that a file of the format has, with or without the dot, such as "ply"; that of HDF5 is not
-///   possible
-/// \param cloud the points and their distances, in their order. What it held before is replaced; it is left as it was if
-///   reading fails.
+/// \param format the extension that a file of the format has, with or without the dot, such as "ply"; that of HDF5 is
+///   not possible
+/// \param cloud the points and their distances, in their order. What it held before is replaced; it is left as it was
+///   if reading fails.
 /// \param np an optional sequence of named parameters, those of the overload for a file
 ///
 /// \return `true` if the cloud was read and has at least one point, else `false`, for the reasons of the overload for a

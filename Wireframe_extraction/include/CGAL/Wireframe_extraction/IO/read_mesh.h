@@ -31,7 +31,8 @@ namespace IO {
 /// - `.stl`: ascii or binary. Each triangle has vertices of its own.
 /// - `.obj`: the vertices and faces; all else is passed over.
 /// - `.off`: ascii.
-/// - `.ply`: ascii or binary of either byte order, with a list `vertex_indices` or `vertex_index` of the element `face`.
+/// - `.ply`: ascii or binary of either byte order, with a list `vertex_indices` or `vertex_index`
+/// of the element `face`.
 ///
 /// \tparam Point a type constructible from three `double` coordinates
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -51,8 +52,8 @@ namespace IO {
 /// \cgalNamedParamsEnd
 ///
 /// \return `true` if the mesh was read and has at least one face, else `false`: the file does not exist or cannot be
-///   read, its extension is unknown, it is malformed, truncated or empty, a coordinate is not finite, or a face has fewer
-///   than three vertices, more than 10,000, or one that does not exist.
+///   read, its extension is unknown, it is malformed, truncated or empty, a coordinate is not finite, or a face has
+///   fewer than three vertices, more than 10,000, or one that does not exist.
 ///
 /// Reading takes time linear in the size of the file.
 template <class Point, typename CGAL_NP_TEMPLATE_PARAMETERS>

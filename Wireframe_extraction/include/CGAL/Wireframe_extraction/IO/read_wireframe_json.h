@@ -84,11 +84,7 @@ std::string read_json_as(std::istream& stream, const GeomTraits& traits, CGAL::W
 ///     \cgalParamType{`std::string*`}
 ///     \cgalParamDefault{a null pointer: nothing is received}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{an instance of the traits class of the wireframe}
-///     \cgalParamType{`GeomTraits`}
-///     \cgalParamDefault{a default constructed object}
-///   \cgalParamNEnd
+///   \wireframeParamTraits
 /// \cgalNamedParamsEnd
 ///
 /// \return `true` if a valid wireframe was read (which may have no curve), else `false`.

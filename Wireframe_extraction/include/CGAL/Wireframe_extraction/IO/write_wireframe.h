@@ -75,15 +75,11 @@ inline const char* known_wireframe_extensions()
 ///
 /// \param filename the name of the file
 /// \param wireframe the wireframe
-/// \param np an optional sequence of named parameters: those of the function for the format, and the ones listed below. A
-///   parameter that a format has no use for is passed over.
+/// \param np an optional sequence of named parameters: those of the function for the format, and the ones listed below.
+///   A parameter that a format has no use for is passed over.
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{error_message}
-///     \cgalParamDescription{receives what went wrong; empty on success}
-///     \cgalParamType{`std::string*`}
-///     \cgalParamDefault{a null pointer: nothing is received}
-///   \cgalParamNEnd
+///   \wireframeParamErrorMessage
 ///   \cgalParamNBegin{geom_traits}
 ///     \cgalParamDescription{an instance of a geometric traits class}
 ///     \cgalParamType{`GeomTraits`}

@@ -68,16 +68,8 @@ bool write_brep(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
 /// \param np an optional sequence of named parameters among the ones listed below
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{error_message}
-///     \cgalParamDescription{receives what went wrong; empty on success}
-///     \cgalParamType{`std::string*`}
-///     \cgalParamDefault{a null pointer: nothing is received}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{an instance of the traits class of the wireframe}
-///     \cgalParamType{`GeomTraits`}
-///     \cgalParamDefault{a default constructed object}
-///   \cgalParamNEnd
+///   \wireframeParamErrorMessage
+///   \wireframeParamTraits
 /// \cgalNamedParamsEnd
 ///
 /// \return `true` if all was written, else `false`: the wireframe has a number that is not finite, is malformed
@@ -108,16 +100,8 @@ bool write_wireframe_brep(std::ostream& stream, const CGAL::Wireframe<GeomTraits
 /// \param np an optional sequence of named parameters among the ones listed below
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{error_message}
-///     \cgalParamDescription{receives what went wrong; empty on success}
-///     \cgalParamType{`std::string*`}
-///     \cgalParamDefault{a null pointer: nothing is received}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{an instance of the traits class of the wireframe}
-///     \cgalParamType{`GeomTraits`}
-///     \cgalParamDefault{a default constructed object}
-///   \cgalParamNEnd
+///   \wireframeParamErrorMessage
+///   \wireframeParamTraits
 /// \cgalNamedParamsEnd
 ///
 /// \return `true` if all was written, else `false`: the wireframe has a number that is not finite, is malformed

@@ -54,16 +54,8 @@ namespace IO {
 ///     \cgalParamType{`Wireframe_extraction::Length_unit`}
 ///     \cgalParamDefault{`Length_unit::MILLIMETER`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{error_message}
-///     \cgalParamDescription{receives what went wrong; empty on success}
-///     \cgalParamType{`std::string*`}
-///     \cgalParamDefault{a null pointer: nothing is received}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{an instance of the traits class of the wireframe}
-///     \cgalParamType{`GeomTraits`}
-///     \cgalParamDefault{a default constructed object}
-///   \cgalParamNEnd
+///   \wireframeParamErrorMessage
+///   \wireframeParamTraits
 /// \cgalNamedParamsEnd
 ///
 /// \return `true` if all was written, else `false`: the wireframe has a number that is not finite, or is
@@ -101,16 +93,8 @@ bool write_wireframe_dxf(std::ostream& stream, const CGAL::Wireframe<GeomTraits>
 ///     \cgalParamType{`Wireframe_extraction::Length_unit`}
 ///     \cgalParamDefault{`Length_unit::MILLIMETER`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{error_message}
-///     \cgalParamDescription{receives what went wrong; empty on success}
-///     \cgalParamType{`std::string*`}
-///     \cgalParamDefault{a null pointer: nothing is received}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{an instance of the traits class of the wireframe}
-///     \cgalParamType{`GeomTraits`}
-///     \cgalParamDefault{a default constructed object}
-///   \cgalParamNEnd
+///   \wireframeParamErrorMessage
+///   \wireframeParamTraits
 /// \cgalNamedParamsEnd
 ///
 /// \return `true` if all was written, else `false`: the wireframe has a number that is not finite, or is

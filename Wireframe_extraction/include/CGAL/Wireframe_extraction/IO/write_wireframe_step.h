@@ -216,27 +216,14 @@ bool write_step(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
 /// \param np an optional sequence of named parameters among the ones listed below
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{unit}
-///     \cgalParamDescription{what one unit of the coordinates is}
-///     \cgalParamType{`CGAL::Wireframe_extraction::Length_unit`}
-///     \cgalParamDefault{`Length_unit::MILLIMETER`}
-///     \cgalParamExtra{The file says so; coordinates are not converted.}
-///   \cgalParamNEnd
+///   \wireframeParamUnit
 ///   \cgalParamNBegin{step_schema}
 ///     \cgalParamDescription{the application protocol that the file follows}
 ///     \cgalParamType{`CGAL::Wireframe_extraction::Step_schema`}
 ///     \cgalParamDefault{`Step_schema::AP214`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{error_message}
-///     \cgalParamDescription{receives what went wrong; empty on success}
-///     \cgalParamType{`std::string*`}
-///     \cgalParamDefault{a null pointer: nothing is received}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{an instance of the traits class of the wireframe}
-///     \cgalParamType{`GeomTraits`}
-///     \cgalParamDefault{a default constructed object}
-///   \cgalParamNEnd
+///   \wireframeParamErrorMessage
+///   \wireframeParamTraits
 /// \cgalNamedParamsEnd
 ///
 /// \return `true` if all was written, else `false`: the wireframe has a number that is not finite, is malformed
@@ -267,27 +254,14 @@ bool write_wireframe_step(std::ostream& stream, const CGAL::Wireframe<GeomTraits
 /// \param np an optional sequence of named parameters among the ones listed below
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{unit}
-///     \cgalParamDescription{what one unit of the coordinates is}
-///     \cgalParamType{`CGAL::Wireframe_extraction::Length_unit`}
-///     \cgalParamDefault{`Length_unit::MILLIMETER`}
-///     \cgalParamExtra{The file says so; coordinates are not converted.}
-///   \cgalParamNEnd
+///   \wireframeParamUnit
 ///   \cgalParamNBegin{step_schema}
 ///     \cgalParamDescription{the application protocol that the file follows}
 ///     \cgalParamType{`CGAL::Wireframe_extraction::Step_schema`}
 ///     \cgalParamDefault{`Step_schema::AP214`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{error_message}
-///     \cgalParamDescription{receives what went wrong; empty on success}
-///     \cgalParamType{`std::string*`}
-///     \cgalParamDefault{a null pointer: nothing is received}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{an instance of the traits class of the wireframe}
-///     \cgalParamType{`GeomTraits`}
-///     \cgalParamDefault{a default constructed object}
-///   \cgalParamNEnd
+///   \wireframeParamErrorMessage
+///   \wireframeParamTraits
 /// \cgalNamedParamsEnd
 ///
 /// \return `true` if all was written, else `false`: the wireframe has a number that is not finite, is malformed

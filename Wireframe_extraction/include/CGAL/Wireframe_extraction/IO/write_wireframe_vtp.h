@@ -50,30 +50,15 @@ namespace IO {
 /// \param np an optional sequence of named parameters among the ones listed below
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{sampling_step}
-///     \cgalParamDescription{the largest arc length between two neighbouring points of a curve}
-///     \cgalParamType{`GeomTraits::FT`}
-///     \cgalParamDefault{0.25 times the sampling distance of the wireframe; one hundredth of the longest
-///                       curve if that is 0}
-///     \cgalParamExtra{in the unit of the wireframe; has to be positive. A curve is split evenly into as few
-///                     pieces as that allows, a closed one into three at least.}
-///   \cgalParamNEnd
+///   \wireframeParamSamplingStep
 ///   \cgalParamNBegin{unit}
 ///     \cgalParamDescription{what one unit of the coordinates is; its symbol, such as "mm", is written as the
 ///                           field `unit`}
 ///     \cgalParamType{`Wireframe_extraction::Length_unit`}
 ///     \cgalParamDefault{`Length_unit::MILLIMETER`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{error_message}
-///     \cgalParamDescription{receives what went wrong; empty on success}
-///     \cgalParamType{`std::string*`}
-///     \cgalParamDefault{a null pointer: nothing is received}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{an instance of the traits class of the wireframe}
-///     \cgalParamType{`GeomTraits`}
-///     \cgalParamDefault{a default constructed object}
-///   \cgalParamNEnd
+///   \wireframeParamErrorMessage
+///   \wireframeParamTraits
 /// \cgalNamedParamsEnd
 ///
 /// \return `true` if all was written, else `false`: the wireframe has a number that is not finite, or is
@@ -106,30 +91,15 @@ bool write_wireframe_vtp(std::ostream& stream, const CGAL::Wireframe<GeomTraits>
 /// \param np an optional sequence of named parameters among the ones listed below
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{sampling_step}
-///     \cgalParamDescription{the largest arc length between two neighbouring points of a curve}
-///     \cgalParamType{`GeomTraits::FT`}
-///     \cgalParamDefault{0.25 times the sampling distance of the wireframe; one hundredth of the longest
-///                       curve if that is 0}
-///     \cgalParamExtra{in the unit of the wireframe; has to be positive. A curve is split evenly into as few
-///                     pieces as that allows, a closed one into three at least.}
-///   \cgalParamNEnd
+///   \wireframeParamSamplingStep
 ///   \cgalParamNBegin{unit}
 ///     \cgalParamDescription{what one unit of the coordinates is; its symbol, such as "mm", is written as the
 ///                           field `unit`}
 ///     \cgalParamType{`Wireframe_extraction::Length_unit`}
 ///     \cgalParamDefault{`Length_unit::MILLIMETER`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{error_message}
-///     \cgalParamDescription{receives what went wrong; empty on success}
-///     \cgalParamType{`std::string*`}
-///     \cgalParamDefault{a null pointer: nothing is received}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{geom_traits}
-///     \cgalParamDescription{an instance of the traits class of the wireframe}
-///     \cgalParamType{`GeomTraits`}
-///     \cgalParamDefault{a default constructed object}
-///   \cgalParamNEnd
+///   \wireframeParamErrorMessage
+///   \wireframeParamTraits
 /// \cgalNamedParamsEnd
 ///
 /// \return `true` if all was written, else `false`: the wireframe has a number that is not finite, or is

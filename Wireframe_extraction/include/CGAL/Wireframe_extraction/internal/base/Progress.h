@@ -21,9 +21,9 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// The callback of a stage, for its inner loops, which may run at the same time. One rule for all: any thread asks, but never
-// two at the same time, and none waits for another one's answer, so that callbacks may use threads themselves. Once the
-// answer was no, or the callback has thrown, nobody is asked any more, and every loop that looks stops.
+// The callback of a stage, for its inner loops, which may run at the same time. One rule for all: any thread asks, but
+// never two at the same time, and none waits for another one's answer, so that callbacks may use threads themselves.
+// Once the answer was no, or the callback has thrown, nobody is asked any more, and every loop that looks stops.
 class Progress
 {
   const std::function<bool(double)>& m_callback; // may be empty

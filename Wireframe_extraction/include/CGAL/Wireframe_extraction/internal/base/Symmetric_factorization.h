@@ -20,9 +20,9 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// The factorization P A P^T = L D L^T of a small symmetric positive semidefinite matrix A, with pivots: P is a permutation,
-// L lower triangular with ones on its diagonal, D diagonal. It does what Eigen::LDLT does, but is one function for matrices
-// of all sizes, which Eigen instantiates for each (seconds of compile time).
+// The factorization P A P^T = L D L^T of a small symmetric positive semidefinite matrix A, with pivots: P is a
+// permutation, L lower triangular with ones on its diagonal, D diagonal. It does what Eigen::LDLT does, but is one
+// function for matrices of all sizes, which Eigen instantiates for each (seconds of compile time).
 class Symmetric_factorization
 {
 public:

@@ -18,7 +18,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// The key of a cell of a regular grid in a hash table: 21 bits of each index, so that cells far apart may have the same.
+// The key of a cell of a regular grid in a hash table: 21 bits of each index, so that cells far
+// apart may have the same.
 inline std::uint64_t cell_key(std::int64_t i, std::int64_t j, std::int64_t k)
 {
   constexpr std::uint64_t mask = 0x1fffff;

@@ -30,7 +30,8 @@ namespace internal {
 // Exact farthest point sampling of the first `size` positions. Points whose nearest sample changes lie in a ball around
 // the new sample, whose radius is the distance of the farthest point, so that no sample needs a pass over all points.
 // The farthest point comes from a heap whose entries are checked when they surface. The first sample is the position
-// farthest from the centroid. Returns `count` indices, fewer where all positions coincide with samples, or after cancelling.
+// farthest from the centroid. Returns `count` indices, fewer where all positions coincide with
+// samples, or after cancelling.
 inline std::vector<std::size_t> farthest_point_sampling(const std::vector<Vector>& positions, std::size_t size,
                                                         std::size_t count, Progress* progress = nullptr)
 {

@@ -44,8 +44,8 @@ void for_each_piece(std::size_t count, const Work& work, std::size_t size = 256)
 #endif
 }
 
-// The same, but at least before every 64 `proceed(share)` is asked whether to go on, by the rule of Progress: the slowest of
-// what is done take a millisecond each. Returns whether all is done.
+// The same, but at least before every 64 `proceed(share)` is asked whether to go on, by the rule of Progress: the
+// slowest of what is done take a millisecond each. Returns whether all is done.
 template <class Work, class Proceed>
 bool for_each_piece_or_cancel(std::size_t count, const Work& work, const Proceed& proceed)
 {

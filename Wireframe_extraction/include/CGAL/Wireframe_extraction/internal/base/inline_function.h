@@ -12,9 +12,9 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_BASE_INLINE_FUNCTION_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_BASE_INLINE_FUNCTION_H
 
-// Functions that take nothing but plain values are declared in NAME.h and defined in NAME_impl.h. Who just includes gets
-// both. Who links the compiled core, whose target defines CGAL_WIREFRAME_EXTRACTION_COMPILED, gets the declarations only,
-// and need not compile them again.
+// Functions that take nothing but plain values are declared in NAME.h and defined in NAME_impl.h. Who just includes
+// gets both. Who links the compiled core, whose target defines CGAL_WIREFRAME_EXTRACTION_COMPILED, gets the
+// declarations only, and need not compile them again.
 
 #ifdef CGAL_WIREFRAME_EXTRACTION_COMPILED
 #define CGAL_WIREFRAME_EXTRACTION_INLINE

@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// Positions farther than that from the middle of the others, in sampling distances, belong to no shape: scanners write such
-// points where they saw nothing.
+// Positions farther than that from the middle of the others, in sampling distances, belong to no shape: scanners write
+// such points where they saw nothing.
 constexpr double farthest_in_units = 1e9;
 
 struct Cloud_scale

@@ -35,8 +35,8 @@ namespace internal {
 // a number that looks random, the same for equal distances
 inline std::uint64_t distance_hash(double distance) { return position_hash(Vector(distance, 0., 0.)); }
 
-// Of the points whose distances are in one bin of a histogram, those that may be chosen: all as long as they are few. Of
-// many with the same distance, as coarse fields have, those with the smallest hashes are kept, and of many different
+// Of the points whose distances are in one bin of a histogram, those that may be chosen: all as long as they are few.
+// Of many with the same distance, as coarse fields have, those with the smallest hashes are kept, and of many different
 // distances likewise. So what is kept is bounded, and does not depend on the order of the cloud.
 class Similar_points
 {
@@ -55,8 +55,8 @@ public:
   };
 
 private:
-  // Of the 2^17 bins per power of two, a hundred million points of a field in double precision put about 150 in each: of
-  // these none is left out.
+  // Of the 2^17 bins per power of two, a hundred million points of a field in double precision put about 150 in each:
+  // of these none is left out.
   static constexpr std::size_t most = 256;
 
   std::vector<Candidate> m_candidates;                                 // sorted
@@ -166,8 +166,8 @@ public:
     : m_ranks(std::move(ranks)), m_marks(number_of_marks, false)
   {}
 
-  // Tells how many points lie in a bin that is not empty, and in smaller ones. To be called for all bins, in their order,
-  // before points are added.
+  // Tells how many points lie in a bin that is not empty, and in smaller ones. To be called for all bins, in their
+  // order, before points are added.
   void add_bin(Bin bin, std::uint64_t smaller, std::uint64_t number)
   {
     Similar_points points;

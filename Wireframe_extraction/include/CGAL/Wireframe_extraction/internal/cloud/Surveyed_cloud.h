@@ -146,8 +146,8 @@ private:
   template <class Use>
   void for_each_bin(const Use& use) const;
 
-  // The points at which the density is measured. They are evenly spread over the ranks of the distances: the same points
-  // whatever the order of the cloud. Those at the largest value are left out, since a field is truncated there.
+  // The points at which the density is measured. They are evenly spread over the ranks of the distances: the same
+  // points whatever the order of the cloud. Those at the largest value are left out, since a field is truncated there.
   Cloud_values density_queries() const;
 };
 

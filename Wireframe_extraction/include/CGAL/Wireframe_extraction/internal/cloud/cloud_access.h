@@ -38,7 +38,8 @@ class Cloud_access
   struct No_distances
   {};
 
-  // The defaults fit bare points, pairs of a point and a distance, and pairs of a point and anything else, such as a normal.
+  // The defaults fit bare points, pairs of a point and a distance, and pairs of a point and
+  // anything else, such as a normal.
   template <class V, class = void>
   struct Defaults
   {

@@ -35,8 +35,8 @@ struct Input_limits
   // Rounding, relative to the coordinates; and of variances, relative to the squared extent, where single precision
   // leaves planes a thickness of 1e-7.
   static constexpr double rounding = 1e-12, variance_rounding = 1e-14;
-  // How much a field changes from point to point per distance: by 1 at most if it is exact, by more with errors, and by a
-  // power of ten with another unit.
+  // How much a field changes from point to point per distance: by 1 at most if it is exact, by more with errors, and by
+  // a power of ten with another unit.
   static constexpr double most_slope = 8., least_slope = 0.1, most_usual_slope = 4., least_usual_slope = 0.6;
   // by what factor a given sampling distance may differ from the measured one
   static constexpr double most_times_denser = 10., most_times_coarser = 0.1;

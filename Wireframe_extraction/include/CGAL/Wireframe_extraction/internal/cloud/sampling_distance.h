@@ -31,8 +31,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// Discs with 16 points vary by a quarter of their areas, so that the sampling distance from the median of so many errs by
-// a quarter of a per cent.
+// Discs with 16 points vary by a quarter of their areas, so that the sampling distance from the median of so many errs
+// by a quarter of a per cent.
 constexpr std::size_t most_density_samples = 4096;
 
 // at most `most_density_samples` indices, evenly spread over [0, n)
@@ -48,9 +48,9 @@ inline std::vector<std::size_t> spread_indices(std::size_t n)
 // Their disc has a radius of 2.5 r: it stays on one face next to most features.
 constexpr std::size_t density_neighbors = 16;
 
-// What was found around the queries. The sampling distance follows from the median, over the queries, of the area of the
-// disc to the k-th different neighbor, divided by what it holds. In a Poisson-disk cloud, the distance to the nearest
-// neighbor itself is the better measure.
+// What was found around the queries. The sampling distance follows from the median, over the queries, of the area of
+// the disc to the k-th different neighbor, divided by what it holds. In a Poisson-disk cloud, the distance to the
+// nearest neighbor itself is the better measure.
 class Density_measures
 {
   std::vector<double> m_areas, m_nearest, m_slopes;

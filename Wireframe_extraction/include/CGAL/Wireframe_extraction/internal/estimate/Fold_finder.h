@@ -35,8 +35,9 @@ namespace Wireframe_extraction {
 namespace internal {
 
 // Asks every point where around it the surface is folded. Two ways of asking complement one another. A height function
-// with a fold uses all points of a ball, so that it sees weak folds and bears noise, but nothing else may be in the ball.
-// Sheets take from a ball what is theirs, so that they see folds that are close to one another, but only clear ones.
+// with a fold uses all points of a ball, so that it sees weak folds and bears noise, but nothing else may be in the
+// ball. Sheets take from a ball what is theirs, so that they see folds that are close to one
+// another, but only clear ones.
 class Fold_finder
 {
   const std::vector<Vector>& m_points;

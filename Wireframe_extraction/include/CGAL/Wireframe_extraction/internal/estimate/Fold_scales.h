@@ -28,8 +28,8 @@ struct Fold_scales
   static constexpr double least_deviation = 0.04;
   // no points are better
   static constexpr double least_noise = 0.01;
-  // The chi square that a fold gains grows with the fourth power of the radius, and falls with the square of the noise: with
-  // this noise balls are larger by 1.
+  // The chi square that a fold gains grows with the fourth power of the radius, and falls with the square of the noise:
+  // with this noise balls are larger by 1.
   static constexpr double typical_noise = 0.25;
   // Up to that share of it frames are turned: with more noise this shows more folds that are none than others.
   static constexpr double most_share_to_turn_frames = 0.4;

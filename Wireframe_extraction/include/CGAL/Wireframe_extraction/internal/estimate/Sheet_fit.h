@@ -33,9 +33,9 @@ struct Plane_of_points
   Vector point = Vector::Zero(), normal = Vector::Zero();
 };
 
-// Finds the sheet on which the center of a ball lies, whatever else is in the ball: of the planes of its neighbors, of which
-// some see nothing but the sheet, that on which most points lie, then the quadric through these. Lengths are in sampling
-// distances.
+// Finds the sheet on which the center of a ball lies, whatever else is in the ball: of the planes of its neighbors, of
+// which some see nothing but the sheet, that on which most points lie, then the quadric through these. Lengths are in
+// sampling distances.
 class Sheet_fit
 {
   // Surfaces leave their tangent plane by that times the squared distance: their radii are 5 r at least, or their other
@@ -123,7 +123,8 @@ private:
     static constexpr double least_total = 3.; // a plane needs as many
     if (total < least_total)
       return false;
-    // The squares of all second derivatives, 2 a, b, b, 2 c for a x^2 + b xy + c y^2: their sum is the same for any axes.
+    // The squares of all second derivatives, 2 a, b, b, 2 c for a x^2 + b xy + c y^2: their sum is
+    // the same for any axes.
     static constexpr double squares_in_sum[size] = {0., 0., 0., 4., 2., 4.};
     const double ridge = m_deviation * m_deviation / (curvature_deviation * curvature_deviation);
     for (int i = 0; i < size; ++i)

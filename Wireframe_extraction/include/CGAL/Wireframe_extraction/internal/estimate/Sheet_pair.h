@@ -45,7 +45,8 @@ public:
   Sheet_pair(const Sheet& a, const Sheet& b, double tolerance) : m_a(a), m_b(b), m_tolerance(tolerance) {}
 
   const Vector& foot() const { return m_foot; }
-  // Of the fold, in radians: 0 where the sheets go on into one another, nearly pi at the edge of a knife. Known where both end.
+  // Of the fold, in radians: 0 where the sheets go on into one another, nearly pi at the edge of a
+  // knife. Known where both end.
   double angle() const { return m_angle; }
 
   // finds where they meet, as near to a place as possible; returns whether they do
@@ -76,8 +77,8 @@ public:
     UNKNOWN // of one of them there are too few points
   };
 
-  // Whether each ends where it meets the other, by the points around that place: then nearly all of its points are on one
-  // side of the other.
+  // Whether each ends where it meets the other, by the points around that place: then nearly all of its points are on
+  // one side of the other.
   Ends find_ends(const std::vector<Vector>& around)
   {
     static constexpr int least_points = 2;     // of each sheet
@@ -104,8 +105,8 @@ public:
     return Ends::BOTH;
   }
 
-  // By how much the pair explains its points better than a smooth sheet that bends across the fold, a quadric and t^3 and
-  // t^4: the difference of chi square, for points with this standard deviation.
+  // By how much the pair explains its points better than a smooth sheet that bends across the fold, a quadric and t^3
+  // and t^4: the difference of chi square, for points with this standard deviation.
   double margin(const std::vector<Vector>& around, double deviation) const
   {
     static constexpr int least_points = 10; // fewer tell nothing, and forbid nothing

@@ -23,8 +23,9 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// Estimates the distances of points to the folds of the surface that they lie on. `points` are in sampling distances, near
-// the origin; `minimum_fold` is in degrees. `proceed(share)` returns whether to go on; this returns whether it did.
+// Estimates the distances of points to the folds of the surface that they lie on. `points` are in sampling distances,
+// near the origin; `minimum_fold` is in degrees. `proceed(share)` returns whether to go on; this
+// returns whether it did.
 bool estimate_field(const std::vector<Vector>& points, double minimum_fold, const std::function<bool(double)>& proceed,
                     Field_estimate& estimate);
 

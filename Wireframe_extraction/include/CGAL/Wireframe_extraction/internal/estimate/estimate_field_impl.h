@@ -47,8 +47,9 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool estimate_field(const std::vector<Vector>& 
                                                      const std::function<bool(double)>& proceed,
                                                      Field_estimate& estimate)
 {
-  // Votes of neighbors rest on the same points, so that their errors are not independent, and their mean errs as they do.
-  // With a level above the largest, stages take wrong parts of the field for noise, and find fewer curves (measured).
+  // Votes of neighbors rest on the same points, so that their errors are not independent, and their mean errs as they
+  // do. With a level above the largest, stages take wrong parts of the field for noise, and find
+  // fewer curves (measured).
   static constexpr double least_noise_level = 0.1, most_noise_level = 0.3;
   const Ball_search search(points);
   estimate.point_noise = point_noise(points, search);

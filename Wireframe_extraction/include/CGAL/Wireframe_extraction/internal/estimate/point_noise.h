@@ -28,8 +28,8 @@ namespace Wireframe_extraction {
 namespace internal {
 
 // The standard deviation of the points across their surface, in sampling distances: from the residuals of quadrics in
-// balls that hold nothing else, which are those with the smallest residuals. Larger balls have more points, smaller ones
-// hold less often a second sheet.
+// balls that hold nothing else, which are those with the smallest residuals. Larger balls have more points, smaller
+// ones hold less often a second sheet.
 inline double point_noise(const std::vector<Vector>& points, const Ball_search& search)
 {
   static constexpr std::size_t most_balls = 4000; // the tenth smallest of 100 errs by 3 per cent

@@ -119,7 +119,8 @@ class Crease_fit
   static constexpr double radius_factors[] = {1.5, 1., 0.6, 0.4};
   // balls behind the front by this share of their radii, where these are not the smallest ones
   static constexpr double shift_back = 0.6, least_factor_to_shift = 0.5;
-  // The residual of a crease that is as expected exceeds the noise by no more than that: that of fifty points is known to ten per cent.
+  // The residual of a crease that is as expected exceeds the noise by no more than that: that of
+  // fifty points is known to ten per cent.
   static constexpr double residual_inflation = 1.2;
   // below this noise a corner ahead shows in the residual
   static constexpr double least_noise_to_hide_corners = 0.05;

@@ -61,8 +61,8 @@ inline double residual_cutoff(double noise)
   return (std::max)(least, exceeded_by_one_in_16000 * noise);
 }
 
-// By how much the variance of a field's errors grows with the distance from the feature, for the weights of fits: twice as
-// large at 1.4 r.
+// By how much the variance of a field's errors grows with the distance from the feature, for the weights of fits: twice
+// as large at 1.4 r.
 inline double growth_of_variance(double distance) { return 1. + distance * distance / 2.; }
 
 } // namespace internal

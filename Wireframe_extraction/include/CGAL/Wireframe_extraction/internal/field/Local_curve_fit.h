@@ -59,8 +59,8 @@ class Local_curve_fit
   // Balls are tried from large to small: large ones average more noise away, small ones follow small features.
   static constexpr int number_of_radii = 4;
   static constexpr double radius_factors[number_of_radii] = {1.6, 1., 0.6, 0.4};
-  // A residual that needs no smaller ball, twice that of exact fields; and how much larger than the best one that of the
-  // largest ball may be, by chance: residuals of a dozen points are known to a third.
+  // A residual that needs no smaller ball, twice that of exact fields; and how much larger than the best one that of
+  // the largest ball may be, by chance: residuals of a dozen points are known to a third.
   static constexpr double good_enough = 0.02, most_above_best = 1.35;
   // of a curve that too few points agree with, and the most that a single point counts for
   static constexpr double worst_residual = 1.;

@@ -53,8 +53,8 @@ private:
   Vector m_center;
   double m_total = 0.;
 
-  // Lengths in r. Measured on clouds with close curves: changing any of these by a factor of 2 moves the share of feet on
-  // the right curve by at most 3 %.
+  // Lengths in r. Measured on clouds with close curves: changing any of these by a factor of 2 moves the share of feet
+  // on the right curve by at most 3 %.
   static constexpr double ball_radius = 5., farthest = 3.; // of the points: beyond, fields are less reliable
   static constexpr std::size_t least_samples = 4;          // fewer do not even tell one curve
   static constexpr std::size_t most_curves = 4, most_candidates = 30;

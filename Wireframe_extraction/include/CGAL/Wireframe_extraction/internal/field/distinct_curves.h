@@ -35,8 +35,9 @@ inline void sort_by_distance(std::vector<std::size_t>& indices, const std::vecto
   });
 }
 
-// Of local curves, which the fits at several points have found, those that differ where they pass `center`, moved there.
-// The first one of several that are the same counts; the result begins with the nearest curve, and has `most` at most.
+// Of local curves, which the fits at several points have found, those that differ where they pass `center`, moved
+// there. The first one of several that are the same counts; the result begins with the nearest
+// curve, and has `most` at most.
 inline std::vector<Local_curve> distinct_curves(const std::vector<Local_curve>& curves, const Vector& center,
                                                 std::size_t most)
 {

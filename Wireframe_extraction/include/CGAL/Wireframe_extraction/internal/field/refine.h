@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// Takes the distances of a contracted skeleton anew from the creases of the surface around it, if the field errs. Returns
-// whether it was not cancelled; otherwise the skeleton is as it was before.
+// Takes the distances of a contracted skeleton anew from the creases of the surface around it, if the field errs.
+// Returns whether it was not cancelled; otherwise the skeleton is as it was before.
 bool refine(Skeleton_data& skeleton, const Extraction_options& options, const std::function<bool(double)>& proceed);
 
 } // namespace internal

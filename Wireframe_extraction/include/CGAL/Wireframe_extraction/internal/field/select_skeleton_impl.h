@@ -56,8 +56,8 @@ public:
   bool holds(const Vector& p) const { return m_cells.count(key(p, 0, 0, 0)) > 0; }
 };
 
-// How far around the skeleton the surface is looked at, in radii of fits: a crease that is traced to where the field does
-// not see it leaves the skeleton, and the ball of its fit reaches one radius farther.
+// How far around the skeleton the surface is looked at, in radii of fits: a crease that is traced to where the field
+// does not see it leaves the skeleton, and the ball of its fit reaches one radius farther.
 constexpr double reach_of_surroundings = 2.;
 
 // Moves the points of a band into local coordinates, whose origin is their mean. Returns how many were left out since

@@ -62,8 +62,8 @@ class Spline_network_fit
 
   // Lengths are in sampling distances r, which parameters nearly are, too.
 
-  // Initial splines: their paths are sampled at half an r, and must be met up to two standard deviations of the field, and
-  // what traced points are off on an exact one; spans may be halved down to half of `shortest_span`.
+  // Initial splines: their paths are sampled at half an r, and must be met up to two standard deviations of the field,
+  // and what traced points are off on an exact one; spans may be halved down to half of `shortest_span`.
   static constexpr double samples_of_path = 2.;
   static constexpr std::size_t least_samples_of_path = 16;
   static constexpr double path_tolerance = 0.1, path_tolerance_per_noise = 2., shortest_span = 2.;
@@ -486,8 +486,8 @@ private:
   // beyond it, no point supports a curve
   double reach() const { return m_options.support_distance + search_margin; }
 
-  // Whether a place of a curve is one that neither points nor the course that was given speak for: from both, it is farther
-  // than any point that supports a curve.
+  // Whether a place of a curve is one that neither points nor the course that was given speak for: from both, it is
+  // farther than any point that supports a curve.
   bool has_left(const Vector& now, const Vector& given) const
   {
     if ((now - given).norm() < reach())

@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// The curved surface that the facets of a mesh approximate. It passes through the vertices, where its normals are the mean
-// of those of the facets around, and is flat where there are no facets of a curved surface.
+// The curved surface that the facets of a mesh approximate. It passes through the vertices, where its normals are the
+// mean of those of the facets around, and is flat where there are no facets of a curved surface.
 class Rounded_surface
 {
 public:

@@ -136,7 +136,8 @@ CGAL_WIREFRAME_EXTRACTION_INLINE Rounded_surface::Rounded_surface(const Triangle
 CGAL_WIREFRAME_EXTRACTION_INLINE Vector Rounded_surface::operator()(std::size_t triangle,
                                                                     const std::array<double, 3>& coordinates) const
 {
-  // half way to the mean of the projections onto the tangential planes at the corners: above a chord, that is a parabola
+  // half way to the mean of the projections onto the tangential planes at the corners: above a
+  // chord, that is a parabola
   Vector flat = Vector::Zero(), shift = Vector::Zero();
   for (std::size_t k = 0; k < 3; ++k)
     flat += coordinates[k] * m_mesh.points[m_mesh.triangles[triangle][k]];

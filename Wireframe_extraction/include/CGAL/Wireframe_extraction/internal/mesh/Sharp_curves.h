@@ -35,8 +35,8 @@ struct Sharp_curves
   std::size_t number_of_loose_ends = 0; // where one ends, or two of them meet at a sharp angle, within the mesh
 };
 
-// Two sharp edges that turn by no more than the largest turn, in degrees, are chords of one curve; those that turn by more
-// meet at an angle. There is no third case between these.
+// Two sharp edges that turn by no more than the largest turn, in degrees, are chords of one curve; those that turn by
+// more meet at an angle. There is no third case between these.
 Sharp_curves find_sharp_curves(const Triangle_mesh& mesh, const std::vector<std::uint32_t>& sharp_edges,
                                double largest_turn);
 

@@ -45,9 +45,10 @@ static constexpr double mesh_sample_density = 0.62;
 
 // ---- what a mesh is ----
 
-// Whether the sharp edges of a mesh are those of a scan: they follow the triangles that happened to be there, thus break
-// off, fork, and zigzag. Sharp edges of a shape form chains. Boundaries do not tell, whether they are sharp or not. (The thresholds lie in the gaps between what was measured:
-// 0.57 and 0.62 of chains per sharp edge, 0 and 0.07 of loose ends, 0.2 and 0.8 of rough edges.)
+// Whether the sharp edges of a mesh are those of a scan: they follow the triangles that happened to be there, thus
+// break off, fork, and zigzag. Sharp edges of a shape form chains. Boundaries do not tell, whether they are sharp or
+// not. (The thresholds lie in the gaps between what was measured: 0.57 and 0.62 of chains per sharp edge, 0 and 0.07 of
+// loose ends, 0.2 and 0.8 of rough edges.)
 inline bool is_scan(const Sharp_mesh& mesh)
 {
   static constexpr double broken = 0.6; // chains per sharp edge, more in scans; or a coarse mesh, whose faces are flat

@@ -73,7 +73,8 @@ private:
   typedef Triangle_mesh::Edge Edge;
   typedef CGAL::Simple_cartesian<double>::Point_3 Point;
 
-  // a triangle is degenerate if its height is below this times the longest side: what rounding of single precision makes
+  // a triangle is degenerate if its height is below this times the longest side: what rounding of
+  // single precision makes
   static constexpr double least_height = 1e-7;
   // vertices that are no farther from an edge, times the diagonal, end on it: rounding of single precision
   static constexpr double junction_tolerance = 1e-6;

@@ -30,8 +30,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// Measures how much the faces of a mesh are folded at its edges, and tells sharp edges from the facets by which a curved
-// surface was approximated.
+// Measures how much the faces of a mesh are folded at its edges, and tells sharp edges from the facets by which a
+// curved surface was approximated.
 //
 // Facets are seen as chords of an arc across them. At the ends of chords that turn the surface by the same angle each,
 // folds are as large as that angle, and half of it where the arc meets a tangential plane. So a fold is that of a facet
@@ -65,8 +65,8 @@ public:
 private:
   typedef Triangle_mesh::Edge Edge;
 
-  // Of a fold, the parts by which the surface has to be turned on further beside it. On facets as wide as those beside the
-  // fold it is turned by the whole fold; by half of it where an arc ends at a tangential plane.
+  // Of a fold, the parts by which the surface has to be turned on further beside it. On facets as wide as those beside
+  // the fold it is turned by the whole fold; by half of it where an arc ends at a tangential plane.
   static constexpr double one_facet = 0.7, two_facets = 1.4, half_facet = 0.35;
   // what turns the surface by less than this part of the fold are the facets of something finer
   static constexpr double comparable = 0.3;
@@ -77,8 +77,8 @@ private:
   // degrees: facets of smaller folds are as good as the surface that they approximate
   static constexpr double least_facet_fold = 3.;
   static constexpr double faded = 0.3; // the part of the minimum fold down to which a sharp curve is followed
-  // Degrees, by which the chords of a curve may always turn. A rim turns as the facets beside it do, so that it is as round as
-  // they are only if it may turn by as much.
+  // Degrees, by which the chords of a curve may always turn. A rim turns as the facets beside it do, so that it is as
+  // round as they are only if it may turn by as much.
   static constexpr double usual_turn = 50.;
   static constexpr int most_steps = 64;                                // triangles that are crossed
   static constexpr std::array<double, 3> starts = {{0.5, 0.25, 0.75}}; // on the edge, from where one looks across
@@ -164,8 +164,8 @@ private:
     bool is_passable = true;
   };
 
-  // Goes across a face from a place on one of its edges, straight on over the edges of the mesh; `visit(crossing)` tells
-  // whether to go on.
+  // Goes across a face from a place on one of its edges, straight on over the edges of the mesh; `visit(crossing)`
+  // tells whether to go on.
   template <class Visit>
   void go_across(std::uint32_t start, double part, std::uint32_t face, const Visit& visit) const
   {

@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// Cuts a polygon, planar or nearly so, into triangles at its end of the list, by cutting off ears. It need not be convex.
-// Of a quadrilateral the shorter diagonal is taken.
+// Cuts a polygon, planar or nearly so, into triangles at its end of the list, by cutting off ears. It need not be
+// convex. Of a quadrilateral the shorter diagonal is taken.
 class Polygon_triangulator
 {
 public:

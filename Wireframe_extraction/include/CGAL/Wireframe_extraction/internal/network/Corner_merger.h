@@ -142,7 +142,8 @@ public:
     }
   }
 
-  // Two curves that pass through one place in different directions end there: a shape has a vertex where four edges meet.
+  // Two curves that pass through one place in different directions end there: a shape has a vertex
+  // where four edges meet.
   void split_crossings()
   {
     if (m_options.noise > most_noise_of_crossings)

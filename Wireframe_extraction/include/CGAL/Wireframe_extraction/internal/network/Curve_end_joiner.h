@@ -148,8 +148,8 @@ public:
       });
   }
 
-  // Removes joints of two curves where a smooth course explains the field better than a corner: joint_fit(center, polylines)
-  // makes a Joint_fit of what two curves are near the place where they meet.
+  // Removes joints of two curves where a smooth course explains the field better than a corner: joint_fit(center,
+  // polylines) makes a Joint_fit of what two curves are near the place where they meet.
   template <class Make_joint_fit>
   void round_off(const Make_joint_fit& joint_fit, double margin, Progress& progress)
   {
@@ -358,8 +358,8 @@ private:
       course = fitted;
   }
 
-  // of those where one polyline ends and the other starts, and where they would meet if they went on from a little farther
-  // away, since close to a corner traces go astray
+  // of those where one polyline ends and the other starts, and where they would meet if they went on from a little
+  // farther away, since close to a corner traces go astray
   template <class Joint>
   static Joint_course best_corner(const Joint& joint, const std::vector<Vector>& head, const std::vector<Vector>& tail)
   {

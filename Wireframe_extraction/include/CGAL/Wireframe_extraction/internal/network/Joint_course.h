@@ -20,7 +20,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// What two curves may be near the place where they meet: two polylines with a corner between them, or a single smooth one.
+// What two curves may be near the place where they meet: two polylines with a corner between them,
+// or a single smooth one.
 struct Joint_course
 {
   std::vector<std::vector<Vector>> polylines;

@@ -54,8 +54,8 @@ private:
   Extraction_options m_options;
 
 public:
-  // Courses are judged by the points within `radius` of `center`, by `tolerance`. `grid` has the curves of a network, of
-  // which parts, `own`, meet at the center.
+  // Courses are judged by the points within `radius` of `center`, by `tolerance`. `grid` has the curves of a network,
+  // of which parts, `own`, meet at the center.
   Joint_fit(const Field_band& band, double noise, const Extraction_options& options, const Vector& center,
             double radius, double reach, double tolerance, const Segment_grid& grid, const std::vector<Polyline>& own)
     : m_noise(noise), m_radius(radius), m_tolerance(tolerance), m_center(center), m_options(options)

@@ -230,8 +230,8 @@ protected:
     second.is_alive = false;
   }
 
-  // Joins those pairs of ends that may be joined, may_join(i, j), the cheapest ones first, if they cost less than most_costly_bridge:
-  // cost_of(arc) of the arc that bridges the gap.
+  // Joins those pairs of ends that may be joined, may_join(i, j), the cheapest ones first, if they cost less than
+  // most_costly_bridge: cost_of(arc) of the arc that bridges the gap.
   template <class May_join, class Cost>
   void bridge(const std::vector<Curve_end>& ends, const May_join& may_join, const Cost& cost_of)
   {

@@ -34,9 +34,9 @@ class Tangency_resolver : private Network_editor
   // circle of radius 12 r turns so much over the 6 r by which its direction is measured behind the contact), and how
   // much a curve may turn where it touches another one (143 degrees, or it comes back).
   static constexpr double tangential_turn = 0.5, largest_turn = 2.5;
-  // What is left of two curves where they cannot be told apart, in r: curves at 6 degrees are closer than the width of a
-  // trace's corridor for 6 r. It ends nowhere else if it is their last part, and then may turn the more, by 63 degrees:
-  // as far as a trace goes astray where it sees both.
+  // What is left of two curves where they cannot be told apart, in r: curves at 6 degrees are closer than the width of
+  // a trace's corridor for 6 r. It ends nowhere else if it is their last part, and then may turn the more, by 63
+  // degrees: as far as a trace goes astray where it sees both.
   static constexpr double longest_stem = 6., most_turn_to_free_stem = 1.1;
   // From an end to the curve it touches, in r: a trace follows its curve until the fits see both.
   static constexpr double reach_of_contact = 0.8, reach_of_contact_per_noise = 2.;
@@ -127,8 +127,8 @@ public:
     }
   }
 
-  // Two curves that meet at an acute angle are too close to be told apart before they do. What is found from there on is
-  // one short curve that both lead to: it is taken for the last part of each.
+  // Two curves that meet at an acute angle are too close to be told apart before they do. What is found from there on
+  // is one short curve that both lead to: it is taken for the last part of each.
   void close_acute_corners()
   {
     Incidences incidences = m_network.incidences();

@@ -115,8 +115,8 @@ private:
   // stays without any
   static constexpr double crease_radius = 1.5, longest_without_crease = 25.;
 
-  // The tips of splines: taken at most so far from the end, in r, and at most at this share of the length, since the end
-  // itself is what the joiner shall judge; with a radius of at least 2.5 r, since a shorter one is noise.
+  // The tips of splines: taken at most so far from the end, in r, and at most at this share of the length, since the
+  // end itself is what the joiner shall judge; with a radius of at least 2.5 r, since a shorter one is noise.
   static constexpr double tip_depth = 1., tip_share = 0.3, largest_bend = 0.4;
   // squared length of the derivative by the parameter, which is about 1: below it, a bend would be out of bounds
   static constexpr double least_squared_speed = 0.25;
@@ -239,7 +239,8 @@ private:
     return 2 * on_crease > all;
   }
 
-  // Replaces the polylines by splines fitted to the field, between these shares of the work. They stay after cancelling.
+  // Replaces the polylines by splines fitted to the field, between these shares of the work. They
+  // stay after cancelling.
   void smooth(Curve_network& network, Progress& progress, double first_share, double last_share) const
   {
     std::vector<Fitted_curve> fitted;

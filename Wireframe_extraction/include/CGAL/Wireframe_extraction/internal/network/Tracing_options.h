@@ -46,8 +46,8 @@ struct Tracing_options
   double fit_scale() const { return (std::max)(least_fit_scale, fit_scale_per_noise * noise); }
   static constexpr int fit_iterations = 3; // the front is nearly right already
 
-  // The width of a curve's corridor: no other one is traced in it in the same direction. Less than the distance at which
-  // two curves can be told apart, which is about r.
+  // The width of a curve's corridor: no other one is traced in it in the same direction. Less than the distance at
+  // which two curves can be told apart, which is about r.
   static constexpr double corridor_width = 0.6;
   double corridor() const { return corridor_width + noise; }
   // so many points of the path are no news to the front: five r of them, where a curve may not yet have turned away
@@ -56,7 +56,8 @@ struct Tracing_options
   static constexpr std::size_t most_covered = 3;
 
   // The points that speak for a front or against it: around the next step, as far as the next point may be, and
-  // somewhat beyond r to the sides, where the field still changes with the front's place. They count the more the nearer.
+  // somewhat beyond r to the sides, where the field still changes with the front's place. They
+  // count the more the nearer.
   static constexpr double behind_front = 0.4, before_front = 0.8, evidence_distance = 1.6;
   static constexpr double evidence_radius = 1.8; // of a ball that holds these
   static constexpr double evidence_weight = 0.5; // counts half at this distance

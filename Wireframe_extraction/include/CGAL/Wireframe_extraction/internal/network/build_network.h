@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// The network of curves that explain the field, as polylines with few points. `proceed(share)` returns whether to go on;
-// after cancelling, the network is what was found so far.
+// The network of curves that explain the field, as polylines with few points. `proceed(share)` returns whether to go
+// on; after cancelling, the network is what was found so far.
 Curve_network build_network(const Skeleton_data& skeleton, const std::vector<Corner_group>& corners,
                             const std::vector<std::vector<std::size_t>>& clusters, const Extraction_options& options,
                             const std::function<bool(double)>& proceed);

@@ -34,8 +34,9 @@ namespace Wireframe_extraction {
 namespace internal {
 
 // Thresholds of corners by residual, in r. Fits on single curves leave the noise, of which 1.5 times is exceeded by an
-// eighth of normal ones, and 0.15 by bends where there is no noise (0.01 r on curves of exact fields, 0.8 r at corners);
-// single bad fits occur anywhere, so irregular points count where there are three of them within the skeleton's width.
+// eighth of normal ones, and 0.15 by bends where there is no noise (0.01 r on curves of exact fields, 0.8 r at
+// corners); single bad fits occur anywhere, so irregular points count where there are three of
+// them within the skeleton's width.
 constexpr double residual_of_corner = 0.15, residual_of_corner_per_noise = 1.5;
 constexpr double reach_of_irregular_points = 1.5;
 constexpr std::size_t least_irregular_points = 3;

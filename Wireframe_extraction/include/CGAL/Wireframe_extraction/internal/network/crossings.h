@@ -37,7 +37,8 @@ struct Curve_crossing
   Vector place;
 };
 
-// where two segments are nearest to each other, at an infinite distance if they are nearly parallel, or that is at an end
+// where two segments are nearest to each other, at an infinite distance if they are nearly
+// parallel, or that is at an end
 inline Curve_crossing crossing_of_segments(const std::array<Vector, 2>& a, const std::array<Vector, 2>& b,
                                            const std::array<std::size_t, 2>& curves)
 {

@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// The second explained variance ratio of the points of a ball (eq. 1), of the variances l1 <= l2 <= l3 along the principal
-// axes.
+// The second explained variance ratio of the points of a ball (eq. 1), of the variances l1 <= l2 <= l3 along the
+// principal axes.
 inline double second_variance_ratio(const std::vector<Vector>& points, const std::vector<std::size_t>& ball)
 {
   if (ball.size() < 3)

@@ -28,8 +28,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// All that a user may set, with the defaults; thresholds of a single step stand in its own file. Lengths are in multiples of
-// the sampling distance, angles in degrees; a negative value stands for "follows from the cloud".
+// All that a user may set, with the defaults; thresholds of a single step stand in its own file. Lengths are in
+// multiples of the sampling distance, angles in degrees; a negative value stands for "follows from the cloud".
 struct Extraction_options
 {
   double minimum_fold = 20.;

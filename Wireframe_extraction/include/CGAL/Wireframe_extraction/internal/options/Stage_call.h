@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// What a single stage is called with: its options, whom it tells how it went, and who may stop it. It fails as the whole
-// extraction does: nothing is thrown, and the report has the reason.
+// What a single stage is called with: its options, whom it tells how it went, and who may stop it. It fails as the
+// whole extraction does: nothing is thrown, and the report has the reason.
 class Stage_call
 {
   typedef Wireframe_extraction_report Report;

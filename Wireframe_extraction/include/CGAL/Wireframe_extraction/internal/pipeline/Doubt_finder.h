@@ -56,8 +56,8 @@ class Doubt_finder
   // they are precise. The noise is a median, of residuals with long tails.
   static constexpr double misfit = 0.15, misfit_per_noise = 1.5;
 
-  // tangent of half the angle of a fold: what is below it by more than a standard deviation was left out when the curves
-  // were traced
+  // tangent of half the angle of a fold: what is below it by more than a standard deviation was left out when the
+  // curves were traced
   static constexpr double least_slope = 0.15;
 
   // In r: two curves so near to each other are one where the field errs. They may be so near where they meet; of the

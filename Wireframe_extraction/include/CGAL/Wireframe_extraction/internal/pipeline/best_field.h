@@ -40,8 +40,8 @@ struct Best_field
   std::string warning;                   // of the means
 };
 
-// The one way from points to their field. `unit` is the sampling distance of the cloud, which is in memory; a unit that was
-// given is kept, whatever the noise. Returns whether it came to its end.
+// The one way from points to their field. `unit` is the sampling distance of the cloud, which is in memory; a unit that
+// was given is kept, whatever the noise. Returns whether it came to its end.
 inline bool estimate_best_field(const Surveyed_cloud& cloud, double unit, bool is_unit_given, double minimum_fold,
                                 const std::function<bool(double)>& proceed, Best_field& result)
 {

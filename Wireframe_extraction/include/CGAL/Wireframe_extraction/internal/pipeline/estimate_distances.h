@@ -33,7 +33,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// The points of a cloud as the estimate takes them: each position once, in an order of their own, in sampling distances.
+// The points of a cloud as the estimate takes them: each position once, in an order of their own,
+// in sampling distances.
 class Points_to_estimate
 {
   std::vector<Vector> m_points;

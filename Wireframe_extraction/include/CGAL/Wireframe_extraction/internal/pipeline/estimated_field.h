@@ -32,8 +32,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// The field of a cloud, for the stage that is called alone; empty if the report has something to say, unless that is that
-// no feature was found.
+// The field of a cloud, for the stage that is called alone; empty if the report has something to say, unless that is
+// that no feature was found.
 template <class NamedParameters>
 Distance_field estimated_field(Distance_cloud_source& source, Stage_call& call, const NamedParameters& np)
 {

@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// Adds the doubts about the curves of a finished wireframe to those that they have. Returns false after cancelling; then
-// some are missing.
+// Adds the doubts about the curves of a finished wireframe to those that they have. Returns false after cancelling;
+// then some are missing.
 bool find_doubts(const Skeleton_data& skeleton, const Extraction_options& options, Wireframe<Plain_traits>& wireframe,
                  const std::function<bool(double)>& proceed);
 

@@ -24,9 +24,10 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// The one rule by which the numbers of a surveyed cloud are refused, for the whole extraction and for stages that are called
-// alone. Finds the sampling distance, for the report: the given one, or the measured one if 0 is given. The cloud is measured
-// by `run(function)`, which returns false after cancelling. If the cloud is refused, the report has the status and the reason.
+// The one rule by which the numbers of a surveyed cloud are refused, for the whole extraction and for stages that are
+// called alone. Finds the sampling distance, for the report: the given one, or the measured one if 0 is given. The
+// cloud is measured by `run(function)`, which returns false after cancelling. If the cloud is refused, the report has
+// the status and the reason.
 template <class Run>
 bool find_unit(const Surveyed_cloud& cloud, double given, const Extraction_options& options,
                Wireframe_extraction_report& report, const Run& run)

@@ -33,8 +33,8 @@ double given_sampling_distance(const NamedParameters& np)
     CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::sampling_distance), 0.));
 }
 
-// Reads a cloud for the first time for a stage that is called alone, finds its sampling distance for the report, and refuses
-// what the whole extraction does.
+// Reads a cloud for the first time for a stage that is called alone, finds its sampling distance for the report, and
+// refuses what the whole extraction does.
 template <class NamedParameters>
 bool survey_for_stage(Surveyed_cloud& cloud, Stage_call& call, double given, const NamedParameters& np)
 {

@@ -60,8 +60,8 @@ CGAL_WIREFRAME_EXTRACTION_INLINE double Arc_length_table::parameter(double s) co
 
 CGAL_WIREFRAME_EXTRACTION_INLINE double Arc_length_table::integrate(std::size_t span, double begin, double end) const
 {
-  // The quadrature of Gauss with 15 nodes, 0 and those to both sides of it. Boost has it, in a header that takes longer to
-  // compile than all else here.
+  // The quadrature of Gauss with 15 nodes, 0 and those to both sides of it. Boost has it, in a header that takes longer
+  // to compile than all else here.
   static constexpr double middle_weight = 0.202578241925561273;
   static constexpr std::array<double, 7> nodes = {{0.201194093997434522, 0.394151347077563370, 0.570972172608538848,
                                                    0.724417731360170047, 0.848206583410427216, 0.937273392400705904,

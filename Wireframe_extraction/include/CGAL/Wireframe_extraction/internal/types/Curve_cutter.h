@@ -49,8 +49,8 @@ class Curve_cutter
   static constexpr double most_turn = 15. * CGAL_PI / 180., most_gap = 0.5; // from one piece to the next
   static constexpr double most_miss = 1.;               // how far from its vertex a curve may pass before vertices move
   static constexpr double least_spline_parameters = 3.; // of one that goes on smoothly at both ends
-  // Of the way along a curve: steps back are errors of neighboring stations, and cancel; that of a curve that the stations
-  // follow forth and back is one.
+  // Of the way along a curve: steps back are errors of neighboring stations, and cancel; that of a curve that the
+  // stations follow forth and back is one.
   static constexpr double most_backward = 0.1;
   // Of the stations of a piece, at least so many are places that points show: a piece is no guess over a gap.
   static constexpr double least_share_supported = 0.5;

@@ -68,7 +68,8 @@ class Curve_stations
   static constexpr double comparable_deviation = 0.03; // r, where fields count as precise
   // Distances far from a curve tell less of it: the curve is bent, and the error of the direction grows.
   static constexpr double weight_per_square = 0.5; // halves the weight at 1.4 r
-  // Of the mean information, what is there in directions in which the points say nothing: holds stations where they are.
+  // Of the mean information, what is there in directions in which the points say nothing: holds
+  // stations where they are.
   static constexpr double relative_damping = 0.02, least_damping = 1e-6;
   static constexpr int number_of_rounds = 4;        // of Gauss and Newton
   static constexpr double negligible_length = 1e-9; // r: such an offset has no direction

@@ -49,7 +49,8 @@ class Curve_type_recognizer
   static constexpr double vertex_reach = 3., most_vertex_deviation = 0.1; // r
   // How firmly the field kept the end of a spline.
   static constexpr double least_spline_deviation = 0.05, spline_deviation_per_noise = 2.;
-  // In stations: a shorter primitive keeps its ends, or too little would be left of what shows it (a circle needs four).
+  // In stations: a shorter primitive keeps its ends, or too little would be left of what shows it
+  // (a circle needs four).
   static constexpr std::size_t least_left_of_primitive = 5;
   // r, along a smooth curve that is cut into a primitive and a spline: half of what a station stands for
   static constexpr double deviation_of_cut = 0.5 * Curve_stations::spacing;
@@ -58,8 +59,8 @@ class Curve_type_recognizer
   // of the significance: what is less likely is refuted beyond doubt
   static constexpr double share_of_narrow = 0.01;
   static constexpr double least_extent = 1e-3; // r, of a line or a radius: below, it is a point
-  // Shares of the time, for who waits: finding the points of the curves, and cutting these. How many rounds the common fit
-  // takes is not known; each is taken for a half of what is left.
+  // Shares of the time, for who waits: finding the points of the curves, and cutting these. How many rounds the common
+  // fit takes is not known; each is taken for a half of what is left.
   static constexpr double share_of_support = 0.1, share_of_cuts = 0.6, share_of_round = 0.5;
 
   struct Candidate

@@ -25,14 +25,14 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// Tells whether a piece of a line, a circle or an ellipse stays, along its whole length, with the curve that it replaces
-// and so with the points of the field, which lie along that one. Sums of residuals do not: where some of many stations
-// count as outliers, a curve may leave there and come back from anywhere, and the feet of points on a whole ellipse say
-// nothing about the arc of it that is written.
+// Tells whether a piece of a line, a circle or an ellipse stays, along its whole length, with the curve that it
+// replaces and so with the points of the field, which lie along that one. Sums of residuals do not: where some of many
+// stations count as outliers, a curve may leave there and come back from anywhere, and the feet of points on a whole
+// ellipse say nothing about the arc of it that is written.
 class Primitive_course
 {
-  // How far a curve may be from the one that it replaces: stations are looked for up to 1 r beside that one, and they are
-  // known up to their standard deviations.
+  // How far a curve may be from the one that it replaces: stations are looked for up to 1 r beside that one, and they
+  // are known up to their standard deviations.
   static constexpr double most_offset = 1.;
   // Where no point holds either curve both guess, the more freely the farther it is to where points do: up to a half
   // circle over the gap.

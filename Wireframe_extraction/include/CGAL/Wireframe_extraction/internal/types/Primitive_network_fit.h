@@ -104,8 +104,8 @@ public:
   }
 
 private:
-  // Augmented Lagrangians converge whatever the weights are; these, in units of a squared standard deviation per r^2, keep
-  // each round well conditioned.
+  // Augmented Lagrangians converge whatever the weights are; these, in units of a squared standard deviation per r^2,
+  // keep each round well conditioned.
   static constexpr double first_weight = 1e4, most_weight = 1e8, weight_factor = 10.;
   static constexpr int most_rounds = 9;
   static constexpr double least_violation = 1e-10, most_violation = 1e-6; // r, or radians: reached, and not reached

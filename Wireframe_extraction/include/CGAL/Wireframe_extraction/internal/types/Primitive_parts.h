@@ -174,7 +174,8 @@ private:
       key.insert(key.end(), {v.x(), v.y(), v.z()});
   }
 
-  // all that the fit starts from; of its stations, which are runs of those of a curve, how many, and the first and the last
+  // all that the fit starts from; of its stations, which are runs of those of a curve, how many,
+  // and the first and the last
   static std::vector<double> key(const Primitive_network_fit& network)
   {
     std::vector<double> key{double(network.vertices.size()), double(network.edges.size()),

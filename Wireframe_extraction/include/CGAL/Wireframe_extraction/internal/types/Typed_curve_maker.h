@@ -119,8 +119,8 @@ private:
     return Spline(spline.degree(), spline.knots(), std::move(points), spline.is_closed(), m_skeleton.traits());
   }
 
-  // Of the splines between cuts: spans are of about the length that fits of splines start with, and there are some places
-  // to interpolate in each.
+  // Of the splines between cuts: spans are of about the length that fits of splines start with, and there are some
+  // places to interpolate in each.
   static constexpr double span_length = 3., places_per_length = 4.; // r, and per r
   static constexpr std::size_t least_spans = 3, least_places = 16;
 

@@ -55,7 +55,8 @@ inline std::vector<std::string> texts(const std::vector<Regularity>& regularitie
   return result;
 }
 
-// Whether a closed curve passes smoothly through its vertex, at which it is alone: nothing but chance put the vertex there.
+// Whether a closed curve passes smoothly through its vertex, at which it is alone: nothing but
+// chance put the vertex there.
 inline bool passes_through_vertex(const Untyped_curve& curve, std::size_t degree, double smooth_angle)
 {
   const std::vector<Vector>& p = curve.polyline;

@@ -22,8 +22,8 @@ namespace internal {
 class Array_file;
 class Inflater;
 
-// What libraries do that programs may be built without. What is compiled once does not know them: whoever calls it hands
-// over what there is.
+// What libraries do that programs may be built without. What is compiled once does not know them: whoever calls it
+// hands over what there is.
 struct Cloud_libraries
 {
   // null without zlib

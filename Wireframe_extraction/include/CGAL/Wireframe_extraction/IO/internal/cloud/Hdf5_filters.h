@@ -26,7 +26,8 @@ namespace CGAL {
 namespace IO {
 namespace internal {
 
-// The filter `lzf` of h5py, for reading only. The interface is that of the HDF5 library: nothing is returned on failure.
+// The filter `lzf` of h5py, for reading only. The interface is that of the HDF5 library: nothing
+// is returned on failure.
 inline std::size_t undo_hdf5_lzf(unsigned int flags, std::size_t number_of_values, const unsigned int* values,
                                  std::size_t size, std::size_t* size_of_buffer, void** buffer)
 {
@@ -47,9 +48,9 @@ inline std::size_t undo_hdf5_lzf(unsigned int flags, std::size_t number_of_value
   return decoded_size;
 }
 
-// Has the HDF5 library read what h5py compressed with its own filter, unless it can anyway, by a plugin. The filter says
-// that it can also compress, which then fails: so whoever writes with it in this program gets data as they are, instead
-// of no data set at all.
+// Has the HDF5 library read what h5py compressed with its own filter, unless it can anyway, by a plugin. The filter
+// says that it can also compress, which then fails: so whoever writes with it in this program gets data as they are,
+// instead of no data set at all.
 inline void register_hdf5_lzf()
 {
   constexpr H5Z_filter_t number = 32000; // as it is registered with The HDF Group

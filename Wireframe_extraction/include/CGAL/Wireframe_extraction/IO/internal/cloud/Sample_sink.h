@@ -30,8 +30,8 @@ public:
   // how many samples there will be, where that can be trusted
   virtual void reserve(std::size_t) {}
 
-  // Is called before the first sample: whether distances are known (otherwise they are 0), and what was assumed about a file
-  // that does not say it.
+  // Is called before the first sample: whether distances are known (otherwise they are 0), and what was assumed about a
+  // file that does not say it.
   virtual void describe(bool /*has_distances*/, const std::string& /*assumption*/) {}
 
   // returns whether more are wanted

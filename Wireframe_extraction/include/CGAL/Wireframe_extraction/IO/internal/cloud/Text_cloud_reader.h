@@ -84,8 +84,8 @@ private:
     return m_has_promised_count;
   }
 
-  // A comment counts as line of names only if it can hardly be anything else: if it has as many words as there are columns,
-  // x, y and z among them. What ends with a colon before them, as in "# columns: x y z", is none of the names.
+  // A comment counts as line of names only if it can hardly be anything else: if it has as many words as there are
+  // columns, x, y and z among them. What ends with a colon before them, as in "# columns: x y z", is none of the names.
   void take_names_from_comments(std::size_t number_of_columns)
   {
     for (const std::string& comment : m_table.comments())

@@ -26,8 +26,8 @@ namespace CGAL {
 namespace IO {
 namespace internal {
 
-// Hands out the lines of a text file that hold data, split into columns. Fields may be quoted, and comments start with #, // or
-// %, or in the middle of a line with # behind a separator: 1.#QNAN is a number.
+// Hands out the lines of a text file that hold data, split into columns. Fields may be quoted, and comments start with
+// #, // or %, or in the middle of a line with # behind a separator: 1.#QNAN is a number.
 class Text_table
 {
 public:
@@ -43,8 +43,9 @@ public:
     FAILED
   };
 
-  // The first line of data decides what separates the columns, unless a line such as "sep=;" before it does: a semicolon if
-  // it has one, else a comma if it has one, else blanks. So a decimal comma can never pass as a separator unnoticed.
+  // The first line of data decides what separates the columns, unless a line such as "sep=;" before it does: a
+  // semicolon if it has one, else a comma if it has one, else blanks. So a decimal comma can never
+  // pass as a separator unnoticed.
   Row next_row(std::vector<std::string_view>& fields)
   {
     std::string_view line;

@@ -24,8 +24,8 @@ namespace CGAL {
 namespace IO {
 namespace internal {
 
-// Tells what stands behind the coordinates of a text without names, as far as the numbers of several rows do. One row does not:
-// 0 0 1 is a normal as well as a colour or a distance and more.
+// Tells what stands behind the coordinates of a text without names, as far as the numbers of several rows do. One row
+// does not: 0 0 1 is a normal as well as a colour or a distance and more.
 class Unnamed_columns
 {
 public:

@@ -36,8 +36,8 @@ namespace CGAL {
 namespace IO {
 namespace internal {
 
-// Reads vertices and faces of STL, OBJ, OFF and PLY. Neither a header that promises too much nor a locale has a say, for
-// which the readers of CGAL are not made; and what is wrong is told with its place.
+// Reads vertices and faces of STL, OBJ, OFF and PLY. Neither a header that promises too much nor a locale has a say,
+// for which the readers of CGAL are not made; and what is wrong is told with its place.
 class Mesh_reader : private Chunked_cloud_reader
 {
 public:

@@ -311,7 +311,8 @@ private:
     return result;
   }
 
-  // Follows the curves until the first one is there again. Empty where they branch or end; then none of them is in a loop.
+  // Follows the curves until the first one is there again. Empty where they branch or end; then
+  // none of them is in a loop.
   Path loop_from(std::size_t first, const std::vector<std::vector<std::size_t>>& curves_at,
                  std::vector<bool>& is_in_no_loop) const
   {

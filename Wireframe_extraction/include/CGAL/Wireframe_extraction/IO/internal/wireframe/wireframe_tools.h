@@ -26,7 +26,8 @@ using Wireframe_extraction::internal::Coordinates;
 using Wireframe_extraction::internal::coordinates_of;
 using Wireframe_extraction::internal::is_finite_point;
 
-// what is wrong with the wireframe, so that no reader passes it on and no writer puts it into a file; empty if nothing is
+// what is wrong with the wireframe, so that no reader passes it on and no writer puts it into a
+// file; empty if nothing is
 template <class GeomTraits>
 std::string wireframe_problem(const CGAL::Wireframe<GeomTraits>& wireframe, const GeomTraits& traits)
 {
