@@ -52,9 +52,10 @@ class Position_sample
   std::vector<std::uint64_t> m_hashes; // once it is a sample
   std::uint64_t m_bound = (std::numeric_limits<std::uint64_t>::max)();
   bool m_is_complete = true;
+  static constexpr std::size_t least_size = 128; // fewer would tell no density, whoever asks for them
 
 public:
-  explicit Position_sample(std::size_t most) : m_most((std::max)(std::size_t(128), most)) {}
+  explicit Position_sample(std::size_t most) : m_most((std::max)(+least_size, most)) {}
 
   // whether one more point would make it a sample
   bool is_full() const { return m_is_complete && m_values.size() == m_most; }

@@ -231,12 +231,13 @@ private:
   void vote_by_sheets(std::size_t i, const std::vector<Sheet>& sheets, std::vector<std::size_t>& neighbors,
                       std::vector<Vector>& around)
   {
-    static constexpr std::size_t most_neighbors = 64;
+    static constexpr std::size_t most_neighbors = 64;   // twice what a ball of that radius has of a surface:
     static constexpr double neighborhood = 3.;          // whose sheets are looked at
     static constexpr double same = 0.3;                 // meetings this close are one
     static constexpr std::size_t most_votes = 2;        // of a point: the nearest ones
     static constexpr double least_angle = CGAL_PI / 6.; // what sheets of few points show by chance is less
-    static constexpr double least_margin = 15., strong_margin = 30.;
+    // of chi square: what clean balls ask of folds in the larger ones, and twice as much to be sure
+    static constexpr double least_margin = Fold_scales::large_margin, strong_margin = 2. * least_margin;
     const double tolerance = Sheet_fit(m_scales.deviation).tolerance();
     std::vector<Meeting> meetings;
     std::vector<std::size_t> found;

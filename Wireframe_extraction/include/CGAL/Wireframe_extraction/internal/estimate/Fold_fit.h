@@ -43,11 +43,25 @@ struct Fold_fit_result
 // Fits height functions over the main plane of a ball: a quadric alone, and with one or two folds max(0, u.x - c).
 class Fold_fit
 {
+  // Where folds are tried first: every 15 degrees and three sixteenths of the radius, up to where a fourth of the
+  // radius is left beyond them. Then around the best one, in steps that are halved where none is better: five make them
+  // less than what the points tell, half a degree and 0.02 r.
   static constexpr int number_of_directions = 12, number_of_offsets = 9;
   static constexpr double reach = 0.75; // of the offsets, in radii
-  static constexpr int least_points = 12, least_on_a_side = 4;
-  static constexpr int quadric_size = 6, most_columns = 8;
   static constexpr int number_of_refinements = 5;
+  static constexpr int quadric_size = 6, parameters_of_fold = 3, most_columns = 8; // a fold: direction, offset, slope
+  // two for each parameter of the quadric; and on each side of a fold more than its parameters
+  static constexpr int least_points = 12, least_on_a_side = 4;
+  // with fewer, a variance is an accident
+  static constexpr int least_degrees_of_freedom = 3;
+  // a column that others explain but for that share of its squares is one of them, by rounding
+  static constexpr double rounding_of_squares = 1e-12;
+  // a fold that a quadric explains but for that share of its squares, or so many squared r, is none to be measured
+  static constexpr double least_share_of_hinge = 1e-6, least_hinge = 1e-9;
+  // less of a column is left by rounding, where the points lie on few lines across the fold
+  static constexpr double least_norm = 1e-6;
+  // keeps the equations regular; far below one point's weight
+  static constexpr double regularization = 1e-6;
   // the frame is turned so often, if it is farther from the middle of the fold than 15 degrees
   static constexpr int most_frames = 2;
   static constexpr double least_cosine = 0.966;
@@ -118,8 +132,9 @@ private:
       const double gain = find_hinge(radius, angle, offset);
       if (gain <= 0.)
         break;
-      const double scale = (std::max)(variance, (squares - gain) / (std::max)(3, m_size - m_number_of_columns - 3));
-      const double evidence = gain / scale - 3. * std::log(double(m_size));
+      const double scale =
+        (std::max)(variance, (squares - gain) / degrees_of_freedom(m_number_of_columns + parameters_of_fold));
+      const double evidence = gain / scale - parameters_of_fold * std::log(double(m_size)); // Schwarz's criterion
       if (n > 0 && evidence <= 0.)
         break; // it would take from the first what is the first's
       Fold& fold = result.folds[n];
@@ -132,13 +147,19 @@ private:
       squares = sum_of_squares(m_residuals);
       fold.margin = n > 0 ? result.folds[0].margin
                           : (squares_of_bent_sheet(before, angle, radius) - squares)
-          / (std::max)(variance, squares / (std::max)(3, m_size - 9));
+          / (std::max)(variance, squares / degrees_of_freedom(quadric_size + parameters_of_fold));
       result.number_of_folds = n + 1;
       if (evidence <= 0.)
         break;
     }
-    result.folded_residual = std::sqrt(squares / (std::max)(1, m_size - quadric_size - 3 * result.number_of_folds));
+    result.folded_residual =
+      std::sqrt(squares / (std::max)(1, m_size - quadric_size - parameters_of_fold * result.number_of_folds));
     measure(places, result);
+  }
+
+  int degrees_of_freedom(int number_of_parameters) const
+  {
+    return (std::max)(+least_degrees_of_freedom, m_size - number_of_parameters);
   }
 
   void set_frame_by_main_axes(const std::vector<Vector>& ball)
@@ -202,7 +223,7 @@ private:
     const double before = sum_of_squares(q);
     orthogonalize(q, m_number_of_columns);
     const double after = sum_of_squares(q);
-    if (!(after > 1e-12 * before))
+    if (!(after > rounding_of_squares * before))
       std::fill(q.begin(), q.end(), 0.);
     else
       for (double& x : q)
@@ -253,7 +274,7 @@ private:
     double rest = all;
     for (int l = 0; l < m_number_of_columns; ++l)
       rest -= squared(dot(m_basis[l], m_hinge, m_size));
-    if (rest < 1e-6 * all + 1e-9)
+    if (rest < least_share_of_hinge * all + least_hinge)
       return 0.;
     return squared(dot(m_hinge, m_residuals, m_size)) / rest;
   }
@@ -313,7 +334,7 @@ private:
       }
       const double norm = std::sqrt(sum_of_squares(column));
       for (double& x : column)
-        x = norm > 1e-6 ? x / norm : 0.;
+        x = norm > least_norm ? x / norm : 0.;
       const double d = dot(column, residuals, m_size);
       for (int j = 0; j < m_size; ++j)
         residuals[j] -= d * column[j];
@@ -333,7 +354,7 @@ private:
     for (int k = 0; k < size; ++k)
     {
       for (int l = 0; l < size; ++l)
-        matrix[k * size + l] = dot(m_columns[k], m_columns[l], m_size) + (k == l ? 1e-6 : 0.);
+        matrix[k * size + l] = dot(m_columns[k], m_columns[l], m_size) + (k == l ? regularization : 0.);
       s[k] = dot(m_columns[k], m_z, m_size);
     }
     Symmetric_factorization(matrix, size).solve(s);

@@ -37,6 +37,28 @@ struct Fold_scales
   static constexpr double least_share_for_wide_balls = 0.2;
   static constexpr double wide_radius = 5.5;
 
+  // What follows was chosen on CAD shapes, as their points are and with points that typical noise has moved: the first
+  // of two values is for points without noise, the second is what typical noise adds.
+  // Of the balls, which have some 23 and 41 points without noise.
+  static constexpr double small_radius = 3., large_radius = 4., radius_by_noise = 1.;
+  // Of the gain of chi square less what chance gains: noise hides weak folds, of which the margins tell the false ones.
+  static constexpr double evidence = 6., evidence_lost_by_noise = 3., wide_evidence = 3.;
+  // Of the chi square by which a fold explains the points better than a sheet that bends: tight fillets stay smooth.
+  static constexpr double small_margin = 10., small_margin_lost_by_noise = 7.;
+  static constexpr double large_margin = 15., large_margin_lost_by_noise = 11., wide_margin = 6.;
+  // Wide balls hold more than one fold often: then their residuals are larger than this, in standard deviations.
+  static constexpr double most_wide_residual = 1.6;
+  // votes scatter with the noise
+  static constexpr double radius_of_votes = 0.5, radius_of_votes_by_noise = 0.2;
+  static constexpr double noise_for_more_votes = 0.5; // of the typical one
+  static constexpr std::size_t votes_without_noise = 3, votes_in_noise = 4;
+  // Sheets have the balls of small folds. Planes, which tell their normals, have seven points; those of neighbors are
+  // taken from as far as a sheet reaches.
+  static constexpr double radius_of_sheets = 3., radius_of_planes = 1.6, radius_of_planes_by_noise = 0.5;
+  static constexpr double reach_of_planes = 2.5, reach_of_planes_by_noise = 0.5;
+  // whether sheets end is asked next to the fold, whether one sheet explains both in the ball of a small fold
+  static constexpr double radius_for_ends = 1.5, radius_for_margin = 3.;
+
   // The balls of one size in which folds are looked for.
   struct Balls
   {

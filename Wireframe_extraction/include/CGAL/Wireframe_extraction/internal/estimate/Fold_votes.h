@@ -100,7 +100,7 @@ public:
   // small where folds are plain, and large where they are crowded or the points err.
   double disagreement(const std::vector<Fold_vote>& votes) const
   {
-    static constexpr double quantile = 0.75;
+    static constexpr double quantile = 0.75; // a fourth of the votes may be wrong in any cloud
     if (votes.empty() || m_feet.empty())
       return smoothing_radius;
     std::vector<double> distances(votes.size());

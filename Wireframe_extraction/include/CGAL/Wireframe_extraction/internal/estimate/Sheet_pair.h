@@ -36,10 +36,12 @@ class Sheet_pair
          m_normal_of_b = Vector::Zero();
   double m_angle = 0.;
 
-  static constexpr double least_sine = 0.2; // between their normals: else the curve is not known
+  // Between their normals, 12 degrees: their errors move the curve in which they meet by five times as much.
+  static constexpr double least_sine = 0.2;
   static constexpr int number_of_steps = 4; // of Newton's method; the sheets are nearly plane
-  // beyond, sheets are not known
+  // in r: beyond the balls that they were fitted in, sheets are not known
   static constexpr double farthest = 4.;
+  static constexpr int least_degrees_of_freedom = 3; // with fewer, a variance is an accident
 
 public:
   Sheet_pair(const Sheet& a, const Sheet& b, double tolerance) : m_a(a), m_b(b), m_tolerance(tolerance) {}
@@ -81,9 +83,9 @@ public:
   // one side of the other.
   Ends find_ends(const std::vector<Vector>& around)
   {
-    static constexpr int least_points = 2;     // of each sheet
-    static constexpr double clear_share = 0.5; // of the tolerance
-    static constexpr double most_beyond = 0.2; // the share of them
+    static constexpr int least_points = 2;     // of each sheet: one may be an outlier
+    static constexpr double clear_share = 0.5; // of the tolerance: 1.5 standard deviations of the points
+    static constexpr double most_beyond = 0.2; // the share of them, since points next to the fold may be on either side
     int sides[2][2] = {};
     for (const Vector& p : around)
     {
@@ -109,7 +111,8 @@ public:
   // and t^4: the difference of chi square, for points with this standard deviation.
   double margin(const std::vector<Vector>& around, double deviation) const
   {
-    static constexpr int least_points = 10; // fewer tell nothing, and forbid nothing
+    static constexpr int least_points =
+      10; // the smooth sheet has eight parameters: fewer tell nothing, and forbid nothing
     const double sign = m_normal_of_a.dot(m_normal_of_b) < 0. ? -1. : 1.;
     double best = (std::numeric_limits<double>::infinity)(), of_pair = 0.;
     int count = 0;
@@ -121,7 +124,8 @@ public:
         return (std::numeric_limits<double>::infinity)();
       best = (std::min)(best, squares_of_smooth_sheet());
     }
-    return (best - of_pair) / (std::max)(deviation * deviation, of_pair / (std::max)(3, count - parameters - 1));
+    return (best - of_pair)
+      / (std::max)(deviation * deviation, of_pair / (std::max)(+least_degrees_of_freedom, count - parameters - 1));
   }
 
 private:
@@ -161,7 +165,7 @@ private:
 
   double squares_of_smooth_sheet() const
   {
-    static constexpr double ridge = 1e-6;
+    static constexpr double ridge = 1e-6; // keeps the equations regular; far below one point's weight
     double matrix[parameters * parameters] = {}, column[parameters] = {};
     for (const Row& row : m_rows)
       for (int i = 0; i < parameters; ++i)

@@ -16,6 +16,7 @@
 #include <CGAL/Wireframe_extraction/internal/base/error_rates.h>
 #include <CGAL/Wireframe_extraction/internal/field/Crease_fit.h>
 #include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/field/Following.h>
 #include <CGAL/Wireframe_extraction/internal/field/Traced_curve.h>
 #include <CGAL/Wireframe_extraction/internal/field/fronts.h>
 
@@ -61,15 +62,13 @@ class Crease_tracer
 
   // Thresholds. Lengths are in sampling distances, angles in radians.
 
-  static constexpr double step = 0.5;
+  static constexpr double step = Following::step;
   // Without a crease, then the curve ends: three steps, for the ball of a fit reaches that far beyond a bad place.
   static constexpr double longest_miss = 1.6;
   // On a crease which the field does not see: a regressor may miss a whole edge. A choice, not measured.
   static constexpr double longest_gap = 40.;
   // steps of the path that are no news to the front: 4 r, the radius of a fit
   static constexpr std::size_t trail = 8;
-  // so many steps along another curve end this one: one or two may be a crossing
-  static constexpr std::size_t most_covered = 3;
   // Two curves closer than that, and than the surface errs, are one: hardly a point lies between them.
   static constexpr double least_reach = 0.4;
   // how well a crease must be known to start from, in multiples of the field's noise: it must know more than the field
@@ -86,10 +85,8 @@ class Crease_tracer
   static constexpr double largest_bend = 0.6; // per r, the same radius
   // points around a crease, and the share of them that must lie on its strips, up to the surface's errors
   static constexpr double holding_radius = 1.3, holding_tolerance = 0.1, least_held = 0.7;
-  // around a curve's point, where the field is asked whether it agrees; nearer points count for more
-  static constexpr double support_radius = 1.8, support_softness = 0.5;
-  // A closed curve is longer than that, and comes back to where it began up to this and the surface's errors.
-  static constexpr double least_closed_length = 5., closing_tolerance = 0.3;
+  // A closed curve comes back to where it began up to this and the surface's errors.
+  static constexpr double closing_tolerance = 0.3;
   // of the distances, in fits: so much that they do not count
   static constexpr double ignored_field_noise = 100.;
 
@@ -192,7 +189,7 @@ private:
     Local_curve predicted = start.curve;
     double miss = 0., gap = 0., length = 0.;
     std::size_t supported = 0, covered = 0, uncovered_size = 0;
-    const std::size_t most = 10 + 4 * m_band.size();
+    const std::size_t most = Following::most_steps(m_band.size());
     while (path.size() < most)
     {
       const Vector last = predicted.point;
@@ -206,7 +203,7 @@ private:
       {
         if (covered == 0)
           uncovered_size = path.size();
-        if (++covered == most_covered)
+        if (++covered == Following::most_covered)
         {
           path.resize(uncovered_size); // steps that were not sure added nothing to it
           return false;
@@ -239,7 +236,7 @@ private:
         path.resize(supported);
         return false;
       }
-      if (length > least_closed_length
+      if (length > Following::shortest_closed_curve
           && has_returned(start.curve, predicted, step,
                           closing_tolerance + exceeded_by_one_in_22 * m_options.surface_noise))
         return true;
@@ -274,13 +271,13 @@ private:
   // whether the field agrees, near the curve's point
   bool is_supported(const Local_curve& curve)
   {
-    m_band.search.query(curve.point, support_radius, m_ball);
+    m_band.search.query(curve.point, Following::evidence_radius, m_ball);
     double agreeing = 0., opposing = 0.;
     for (std::size_t i : m_ball)
     {
       const double distance = curve.distance(m_band.points[i]);
       const bool agrees = std::abs(m_band.distances[i] - distance) < agreement_tolerance(m_field_noise);
-      (agrees ? agreeing : opposing) += 1. / (support_softness + distance);
+      (agrees ? agreeing : opposing) += 1. / (Following::evidence_softness + distance);
     }
     return agreeing > opposing;
   }

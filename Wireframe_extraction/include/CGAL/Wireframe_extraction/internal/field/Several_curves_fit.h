@@ -152,7 +152,8 @@ private:
     double best_length = description_length(curves);
     best = curves;
     const double cost_of_one = cost_of_curve();
-    if (m_pool.empty() || best_length <= 2. * cost_of_one)
+    static constexpr double fewest = 2.; // of several curves, which alone would cost as much
+    if (m_pool.empty() || best_length <= fewest * cost_of_one)
       return;
     tabulate();
     std::vector<std::size_t> chosen = best_single();

@@ -34,13 +34,16 @@ struct Traced_curve
   bool ends_in_void[2] = {false, false}; // no data beyond the tip, rather than data that speak against the curve
   std::vector<double> residuals;         // of the local fits along the curve
 
-  // a low quantile, since other curves disturb the fits near the ends
+  // A low quantile, two fifths, since other curves disturb the fits near the ends. Of no fits, in r, more than what any
+  // curve may have.
   double typical_residual() const
   {
+    static constexpr std::size_t numerator = 2, denominator = 5;
+    static constexpr double no_residual = 1.;
     if (residuals.empty())
-      return 1.;
+      return no_residual;
     std::vector<double> sorted = residuals;
-    const std::size_t k = sorted.size() * 2 / 5;
+    const std::size_t k = sorted.size() * numerator / denominator;
     std::nth_element(sorted.begin(), sorted.begin() + k, sorted.end());
     return sorted[k];
   }

@@ -36,8 +36,9 @@ namespace internal {
 
 CGAL_WIREFRAME_EXTRACTION_INLINE std::string check_soup(const Polygon_soup& soup)
 {
+  static constexpr double most_coordinate = 1e150; // squares have to be finite
   for (std::size_t i = 0; i < soup.points.size(); ++i)
-    if (!soup.points[i].allFinite() || soup.points[i].cwiseAbs().maxCoeff() > 1e150)
+    if (!soup.points[i].allFinite() || soup.points[i].cwiseAbs().maxCoeff() > most_coordinate)
       return "vertex " + std::to_string(i) + " (counted from 0) has a coordinate that is not finite, or too large";
   for (std::size_t i = 0; i < soup.polygons.size(); ++i)
   {
@@ -271,7 +272,8 @@ private:
         vertices.push_back(edge.source);
         vertices.push_back(edge.target);
       }
-      m_cell = (std::max)(median(lengths), 1e-4 * mesh.diagonal);
+      static constexpr double least_cell = 1e-4; // diagonals: most edges may have no length
+      m_cell = (std::max)(median(lengths), least_cell * mesh.diagonal);
       std::sort(vertices.begin(), vertices.end());
       vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
       for (std::uint32_t v : vertices)

@@ -17,6 +17,7 @@
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/field/Contraction.h>
 #include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/field/Following.h>
 #include <CGAL/Wireframe_extraction/internal/field/Local_curve_fit.h>
 #include <CGAL/Wireframe_extraction/internal/field/Traced_curve.h>
 #include <CGAL/Wireframe_extraction/internal/field/fronts.h>
@@ -130,7 +131,7 @@ public:
   // what the points around `front` say of the curve there
   Evidence evidence(const Local_curve& front)
   {
-    m_band.search.query(front.point, Tracing_options::evidence_radius, m_ball);
+    m_band.search.query(front.point, Following::evidence_radius, m_ball);
     double agreeing = 0., opposing = 0., elsewhere = 0.;
     for (std::size_t i : m_ball)
     {
@@ -140,7 +141,7 @@ public:
       const double distance = front.distance(m_band.points[i]);
       if (distance > Tracing_options::evidence_distance)
         continue;
-      const double weight = 1. / (Tracing_options::evidence_weight + distance);
+      const double weight = 1. / (Following::evidence_softness + distance);
       const double tolerance = agreement_tolerance(m_band.deviation(i, m_options.noise));
       const double e = m_band.distances[i] - distance;
       // a point that lies nearer to another curve says nothing about this one
@@ -178,7 +179,7 @@ private:
     options.radius = m_options.radius;
     options.scale = m_options.fit_scale();
     options.iterations = Tracing_options::fit_iterations;
-    const std::size_t most = Tracing_options::most_steps + Tracing_options::most_steps_per_point * m_band.size();
+    const std::size_t most = Following::most_steps(m_band.size());
     // a step takes some tens of microseconds
     static constexpr std::size_t steps_between_questions = 16;
     for (std::size_t steps = 0; path.size() < most; ++steps)
@@ -196,7 +197,7 @@ private:
       front = next;
       if (is_traced(front) || runs_along(own, front, m_options.corridor()))
       {
-        if (++covered == Tracing_options::most_covered)
+        if (++covered == Following::most_covered)
         {
           // the covered steps are the other curve's
           supported = (std::min)(supported, path.size() - (std::min)(path.size(), covered - 1));
@@ -237,7 +238,7 @@ private:
           break;
         }
       }
-      if (length > Tracing_options::shortest_closed_curve
+      if (length > Following::shortest_closed_curve
           && has_returned(start, front, m_options.step, Tracing_options::return_distance + m_options.tolerance()))
         return true;
     }

@@ -197,7 +197,7 @@ private:
                 const std::vector<double>& from_a, const std::vector<double>& from_b) const
   {
     const double cut = cut_by_connection * m_options.connection_radius;
-    if (from_a[b] < 2. * cut)
+    if (from_a[b] < 2. * cut) // which would take both ends
       return false;
     const Vector middle = middle_of_path(cluster, a, b, from_a, from_b);
     Distance_graph rest(cluster.size());

@@ -80,6 +80,11 @@ public:
   {
     double slope = 0., deviation = 0.;
     bool is_known = false; // else the surface is no graph over a plane there
+
+    // below it, the surface turns by less than 17 degrees
+    static constexpr double least_slope = 0.15;
+    bool is_flat() const { return is_known && slope < least_slope; }
+    bool is_flat_beyond_doubt() const { return is_known && slope + deviation < least_slope; }
   };
 
   // `surroundings` has points up to a distance of `reach` from all curves

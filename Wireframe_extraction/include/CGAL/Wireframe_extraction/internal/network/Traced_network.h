@@ -109,8 +109,6 @@ private:
   // Spurs, in r: pieces that hang on nothing, or on one side only, up to a length that grows with the noise
   static constexpr double free_spur = 4., free_spur_per_noise = 5., spur = 2., spur_per_noise = 4.;
 
-  // tangent of half the angle of a fold: below it, the surface turns by less than 17 degrees, beyond doubt
-  static constexpr double least_slope = 0.15;
   // in r: the ball whose points say whether a place is on a crease (about seven do), and the length from which a curve
   // stays without any
   static constexpr double crease_radius = 1.5, longest_without_crease = 25.;
@@ -217,7 +215,7 @@ private:
     const std::vector<Surface_evidence::Fold> folds = Surface_evidence(m_surroundings, &progress).folds(polylines);
     std::vector<char> keep(polylines.size());
     for (std::size_t c = 0; c < polylines.size(); ++c)
-      keep[c] = polylines[c] && !(folds[c].is_known && folds[c].slope + folds[c].deviation < least_slope);
+      keep[c] = polylines[c] && !folds[c].is_flat_beyond_doubt();
     if (std::find(keep.begin(), keep.end(), 1) == keep.end())
       for (std::size_t c = 0; c < polylines.size(); ++c)
         keep[c] = polylines[c] != nullptr;

@@ -13,6 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_TRACING_OPTIONS_H
 
 #include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/field/Following.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,8 +25,8 @@ namespace internal {
 // How curves are traced. Lengths are in sampling distances r, angles in radians.
 struct Tracing_options
 {
-  double noise = 0.1;        // typical residual of the field near curves, in r
-  double step = 0.5;         // half of what the points resolve
+  double noise = 0.1; // typical residual of the field near curves, in r
+  double step = Following::step;
   double radius = 4.;        // of the balls the local fits use
   double maximum_gap = 3.;   // bridged without any evidence: points along an edge are seldom farther apart
   double maximum_turn = 0.6; // per step; a circle of radius r turns by 0.5
@@ -52,28 +53,22 @@ struct Tracing_options
   double corridor() const { return corridor_width + noise; }
   // so many points of the path are no news to the front: five r of them, where a curve may not yet have turned away
   static constexpr std::size_t trail = 10;
-  // so many steps within the corridor of another curve make an end: one or two are a crossing
-  static constexpr std::size_t most_covered = 3;
 
   // The points that speak for a front or against it: around the next step, as far as the next point may be, and
   // somewhat beyond r to the sides, where the field still changes with the front's place. They
   // count the more the nearer.
   static constexpr double behind_front = 0.4, before_front = 0.8, evidence_distance = 1.6;
-  static constexpr double evidence_radius = 1.8; // of a ball that holds these
-  static constexpr double evidence_weight = 0.5; // counts half at this distance
+  static_assert(before_front * before_front + evidence_distance * evidence_distance
+                  < Following::evidence_radius * Following::evidence_radius,
+                "the ball of the evidence holds these");
 
   // a fit may move the front off its predicted place by this share of a step, besides the tolerance
   static constexpr double largest_jump = 0.5;
   // the ball of the front's fit lies behind it, by this share of its radius, where the curve is known to be
   static constexpr double ball_behind_front = 0.25;
 
-  // no closed curve is shorter: a circle of radius 0.8 r has no points of its own
-  static constexpr double shortest_closed_curve = 5.;
   // besides the tolerance: how far off its start a curve may come back
   static constexpr double return_distance = 0.25;
-
-  // a curve that has more steps than this for each point of the band runs in circles
-  static constexpr std::size_t most_steps_per_point = 4, most_steps = 10;
 };
 
 } // namespace internal

@@ -56,10 +56,6 @@ class Doubt_finder
   // they are precise. The noise is a median, of residuals with long tails.
   static constexpr double misfit = 0.15, misfit_per_noise = 1.5;
 
-  // tangent of half the angle of a fold: what is below it by more than a standard deviation was left out when the
-  // curves were traced
-  static constexpr double least_slope = 0.15;
-
   // In r: two curves so near to each other are one where the field errs. They may be so near where they meet; of the
   // rest, not along more than this share.
   static constexpr double beside = 1.5, most_share_beside = 0.5;
@@ -222,7 +218,7 @@ private:
     const std::vector<Surface_evidence::Fold> folds =
       Surface_evidence(m_surroundings, &m_progress).folds(pointers_to(m_polylines));
     for (std::size_t c = 0; c < size(); ++c)
-      if (folds[c].is_known && folds[c].slope < least_slope)
+      if (folds[c].is_flat()) // what is so beyond doubt was left out when the curves were traced
         doubt(c, Wireframe_doubt::NO_FOLD);
   }
 

@@ -65,6 +65,10 @@ public:
   }
 
 private:
+  // Places, in sizes of the curve, and directions and angles may be off by the digits that a file or a number type of
+  // single precision loses, not by more.
+  static constexpr double tolerance_of_files = 1e-6;
+
   static bool is_measure(double value) { return std::isfinite(value) && value >= 0.; }
 
   std::string curve_problem(const Curve& curve) const
@@ -119,19 +123,20 @@ private:
     if (!is_finite_point(coordinates_of(conic.center, m_traits)) || !is_finite_point(axis)
         || !is_finite_point(direction) || !std::isfinite(major) || !std::isfinite(sweep))
       return "Its center, axis, major direction, radii or angles are not finite.";
-    if (!(std::abs(dot(axis, axis) - 1.) < 1e-6) || !(std::abs(dot(direction, direction) - 1.) < 1e-6)
-        || !(std::abs(dot(axis, direction)) < 1e-6))
+    if (!(std::abs(dot(axis, axis) - 1.) < tolerance_of_files)
+        || !(std::abs(dot(direction, direction) - 1.) < tolerance_of_files)
+        || !(std::abs(dot(axis, direction)) < tolerance_of_files))
       return "Its axis and its major direction have to be unit vectors that are orthogonal.";
     if (!(minor > 0.) || !(major >= minor))
       return "Its radii have to be positive, the major one first.";
-    if (!(sweep > 0.) || !(sweep <= 2. * CGAL_PI + 1e-6))
+    if (!(sweep > 0.) || !(sweep <= 2. * CGAL_PI + tolerance_of_files))
       return "Its end angle has to be larger than its start angle, by a full turn at most.";
     return "";
   }
 
   std::string conic_ends_problem(const Curve& curve) const
   {
-    const double tolerance = 1e-6 * size_of(curve);
+    const double tolerance = tolerance_of_files * size_of(curve);
     const auto& points = curve.spline.control_points();
     const Coordinates start = coordinates_of(curve.conic->point(curve.conic->start_angle, m_traits), m_traits);
     const Coordinates end = coordinates_of(curve.conic->point(curve.conic->end_angle, m_traits), m_traits);
@@ -179,19 +184,18 @@ private:
     return "";
   }
 
-  // Ends may be off by the digits that a file or a number type of single precision loses, not by more.
   std::string ends_problem(const Curve& curve) const
   {
     const double size = size_of(curve);
     const Coordinates first = coordinates_of(curve.spline.control_points().front(), m_traits);
     const Coordinates last = coordinates_of(curve.spline.control_points().back(), m_traits);
-    if (curve.is_closed() && !are_close(first, last, 1e-6 * size))
+    if (curve.is_closed() && !are_close(first, last, tolerance_of_files * size))
       return "It is closed, but does not end where it starts.";
     if (curve.source != Curve::no_vertex
-        && !are_close(first, coordinates_of(m_wireframe.vertices[curve.source], m_traits), 1e-6 * size))
+        && !are_close(first, coordinates_of(m_wireframe.vertices[curve.source], m_traits), tolerance_of_files * size))
       return "It does not start at its source, vertex " + std::to_string(curve.source) + ".";
     if (curve.target != Curve::no_vertex
-        && !are_close(last, coordinates_of(m_wireframe.vertices[curve.target], m_traits), 1e-6 * size))
+        && !are_close(last, coordinates_of(m_wireframe.vertices[curve.target], m_traits), tolerance_of_files * size))
       return "It does not end at its target, vertex " + std::to_string(curve.target) + ".";
     return "";
   }

@@ -78,7 +78,8 @@ private:
     if (!std::isfinite(square) || square == 0.)
       return;
     ++m_number_of_vectors;
-    m_number_of_units += std::abs(square - 1.) < 0.02 ? 1 : 0;
+    static constexpr double tolerance = 0.02; // of the squared length: normals may be written with two digits
+    m_number_of_units += std::abs(square - 1.) < tolerance ? 1 : 0;
   }
 
   std::vector<bool> m_may_be_colour; // of the columns

@@ -67,21 +67,26 @@ private:
   template <class GeomTraits>
   static double default_step(const CGAL::Wireframe<GeomTraits>& wireframe)
   {
+    // A circle of radius 2 r is missed by 0.004 r. Without r, a curve of a hundred pieces looks smooth, and any step is
+    // as good where no curve has a length.
+    static constexpr double step_per_sampling_distance = 0.25, step_per_length = 0.01, any_step = 1.;
     const double sampling_distance = CGAL::to_double(wireframe.sampling_distance);
     if (sampling_distance > 0.)
-      return 0.25 * sampling_distance;
+      return step_per_sampling_distance * sampling_distance;
     double longest = 0.;
     for (const auto& curve : wireframe.curves)
       longest = (std::max)(longest, CGAL::to_double(curve.spline.length()));
-    return longest > 0. ? 0.01 * longest : 1.;
+    return longest > 0. ? step_per_length * longest : any_step;
   }
 
   template <class GeomTraits>
   bool sample_curve(const Wireframe_curve<GeomTraits>& curve, double step, const GeomTraits& traits)
   {
-    const double number_of_steps = std::ceil(CGAL::to_double(curve.spline.length()) / step * (1. - 1e-12));
+    static constexpr double rounding = 1e-12; // a length of a whole number of steps makes no more pieces
+    static constexpr double most_steps = 1e7; // hundreds of megabytes
+    const double number_of_steps = std::ceil(CGAL::to_double(curve.spline.length()) / step * (1. - rounding));
     // fails for what is not a number, too
-    if (!(number_of_steps <= 1e7))
+    if (!(number_of_steps <= most_steps))
       return false;
     // fewer would fold a closed curve into a point or a segment
     const std::size_t least = curve.is_closed() ? 3 : 1;
