@@ -7,6 +7,7 @@
 #include <CGAL/Wireframe_extraction/build_topological_graph.h>
 #include <CGAL/Wireframe_extraction/contract_skeleton.h>
 #include <CGAL/Wireframe_extraction/detect_corners.h>
+#include <CGAL/Wireframe_extraction/estimate_distance_field.h>
 #include <CGAL/Wireframe_extraction/estimate_sampling_distance.h>
 #include <CGAL/Wireframe_extraction/fit_curves.h>
 #include <CGAL/Wireframe_extraction/recognize_curve_types.h>
@@ -173,15 +174,47 @@ void test_other_range()
   assert(are_equal(expected(), with_traits));
 }
 
+// A point set has its maps: nothing needs to be said about them.
 void test_point_set()
 {
-  CGAL::Point_set_3<Epick::Point_3> points;
+  CGAL::Point_set_3<Epick::Point_3> points, bare;
   const auto distances = points.add_property_map<double>("distance", 0.).first;
+  std::vector<Epick::Point_3> positions;
   for (const auto& sample : cloud<Epick>())
+  {
     distances[*points.insert(sample.first)] = sample.second;
+    bare.insert(sample.first);
+    positions.push_back(sample.first);
+  }
   assert(are_equal(
     expected(),
     CGAL::extract_wireframe(points, WP::distance_map(distances).point_map(points.point_map()).geom_traits(Epick()))));
+  const CGAL::Point_set_3<Epick::Point_3>& constant = points;
+  assert(are_equal(expected(), CGAL::extract_wireframe(constant)));
+  const double r = WE::estimate_sampling_distance(points);
+  assert(r > 0. && !WE::select_skeleton(points, WP::sampling_distance(r)).is_empty());
+  // what was removed is no point
+  auto fewer = points;
+  for (int i = 0; i < 100; ++i)
+  {
+    fewer.insert(Epick::Point_3(0., 0., 100. * i));
+    fewer.remove(fewer.end() - 1);
+  }
+  assert(are_equal(expected(), CGAL::extract_wireframe(fewer)));
+
+  // without distances, they are estimated
+  CGAL::Wireframe_extraction_report report, same;
+  const auto wireframe = CGAL::extract_wireframe(bare, WP::extraction_report(std::ref(report)));
+  assert(report.is_field_estimated);
+  assert(are_equal(CGAL::extract_wireframe(positions, WP::extraction_report(std::ref(same))), wireframe));
+  assert(same.status == report.status);
+  assert(WE::select_skeleton(bare, WP::extraction_report(std::ref(report))).is_empty());
+  assert(report.status == CGAL::Wireframe_extraction_report::Status::INVALID_INPUT);
+  // and written to the property, if there is one
+  const auto estimated = bare.add_property_map<double>("distance", -1.).first;
+  const WE::Distance_field field = WE::estimate_distance_field(bare);
+  for (std::size_t i = 0; i < field.distances.size(); ++i)
+    assert(estimated[*(bare.begin() + std::ptrdiff_t(i))] == field.distances[i]);
 }
 
 // indices into two arrays

@@ -48,7 +48,8 @@ cloud, up to rounding. What visitor, callback and property maps throw is passed 
   \cgalParamNBegin{distance_map}
     \cgalParamDescription{a property map from the value type of `points` to the distance to the nearest sharp feature}
     \cgalParamType{a model of `ReadablePropertyMap`}
-    \cgalParamDefault{the second of a pair of a point and a number; otherwise, `estimate_distance_field()` makes the
+    \cgalParamDefault{the second of a pair of a point and a number, or the property `distance` of a
+                      `CGAL::Point_set_3`; otherwise, `estimate_distance_field()` makes the
                       distances}
   \cgalParamNEnd
   \cgalParamNBegin{minimum_fold}
@@ -117,7 +118,7 @@ extract_wireframe(const PointRange& points, const NamedParameters& np = CGAL::pa
 {
   namespace internal = Wireframe_extraction::internal;
   typedef internal::Cloud_access<PointRange, NamedParameters> Access;
-  const Access access(np);
+  const Access access(points, np);
   internal::Range_source<PointRange, Access> source(points, access);
   return internal::extracted_wireframe<ConcurrencyTag>(source, access.traits(), np, false);
 }

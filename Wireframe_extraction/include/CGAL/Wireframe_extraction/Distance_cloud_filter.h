@@ -181,7 +181,7 @@ public:
 private:
   static const Access& access()
   {
-    static const Access result{CGAL::parameters::default_values()};
+    static const Access result(Cloud(), CGAL::parameters::default_values());
     return result;
   }
 

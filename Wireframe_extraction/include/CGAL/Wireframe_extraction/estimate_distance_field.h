@@ -51,7 +51,8 @@ more have none; the boundary of an open cloud is none either.
   \cgalParamNBegin{distance_map}
     \cgalParamDescription{a property map from the value type of `points`, to which the distances are written, too}
     \cgalParamType{a model of `WritablePropertyMap` with a number type as value type}
-    \cgalParamDefault{the second of a pair of a point and a number, unless the range is constant; otherwise none}
+    \cgalParamDefault{the second of a pair of a point and a number, or the property `distance` of a
+                      `CGAL::Point_set_3` that has one, unless the range is constant; otherwise none}
     \cgalParamExtra{Nothing is written if the field that is returned is empty.}
   \cgalParamNEnd
   \cgalParamNBegin{deviation_map}
@@ -109,7 +110,7 @@ Distance_field estimate_distance_field(PointRange& points,
                                        const NamedParameters& np = CGAL::parameters::default_values())
 {
   typedef internal::Cloud_access<PointRange, NamedParameters> Access;
-  const Access access(np);
+  const Access access(points, np);
   internal::Range_source<PointRange, Access, false> source(points, access);
   internal::Stage_call call(np);
   Distance_field field =

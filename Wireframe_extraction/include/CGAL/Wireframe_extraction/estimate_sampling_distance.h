@@ -42,7 +42,7 @@ only about 0.55 r.
   \cgalParamNBegin{distance_map}
     \cgalParamDescription{a property map from the value type of `points` to the distance to the nearest sharp feature}
     \cgalParamType{a model of `ReadablePropertyMap`}
-    \cgalParamDefault{the second of a pair; bare points need none}
+    \cgalParamDefault{the second of a pair, or the property `distance` of a `CGAL::Point_set_3`; bare points need none}
   \cgalParamNEnd
   \cgalParamNBegin{points_in_memory}
     \cgalParamDescription{up to how many points are copied; a larger cloud is gone over several times instead}
@@ -65,7 +65,7 @@ template <class PointRange, class NamedParameters = CGAL::parameters::Default_na
                                                 const NamedParameters& np = CGAL::parameters::default_values())
 {
   typedef internal::Cloud_access<PointRange, NamedParameters> Access;
-  const Access access(np);
+  const Access access(points, np);
   internal::Range_source<PointRange, Access> source(points, access);
   internal::Stage_call call(np);
   return internal::measured_sampling_distance(source, call, np);

@@ -37,7 +37,7 @@ points below `support_distance`, which later stages fit to.
   \cgalParamNBegin{distance_map}
     \cgalParamDescription{a property map from the value type of `points` to the distance to the nearest sharp feature}
     \cgalParamType{a model of `ReadablePropertyMap`}
-    \cgalParamDefault{the second of a pair}
+    \cgalParamDefault{the second of a pair, or the property `distance` of a `CGAL::Point_set_3`}
   \cgalParamNEnd
   \cgalParamNBegin{sampling_distance}
     \cgalParamDescription{the sampling distance r, in the cloud's unit}
@@ -96,7 +96,7 @@ select_skeleton(const PointRange& points, const NamedParameters& np = CGAL::para
     internal::Cloud_access<PointRange, NamedParameters>::has_distances,
     "pass the distances of the points to features with the named parameter distance_map(), for instance what "
     "estimate_distance_field() makes of the points");
-  const internal::Cloud_access<PointRange, NamedParameters> access(np);
+  const internal::Cloud_access<PointRange, NamedParameters> access(points, np);
   internal::Range_source<PointRange, internal::Cloud_access<PointRange, NamedParameters>> source(points, access);
   internal::Stage_call call(np);
   return {internal::selected_skeleton(source, call, np), access.traits()};

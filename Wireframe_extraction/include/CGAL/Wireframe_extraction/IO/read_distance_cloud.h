@@ -403,9 +403,8 @@ read_distance_cloud(const std::string& filename, OutputIterator out,
 
 /// \ingroup PkgWireframeExtractionIO
 /// reads a point cloud with a distance per point from one file into a point set, whose property map `distance`, of type
-/// `double`, gets the distances. The parameter `point_map` of an extraction is `points.point_map()` then, and
-/// `distance_map` is `points.property_map<double>("distance").first`, or what it points to from CGAL 6.0 on. The header
-/// `CGAL/Point_set_3.h` has to be included.
+/// `double`, gets the distances; `extract_wireframe(points)` finds it there. The header `CGAL/Point_set_3.h` has to be
+/// included.
 ///
 /// \tparam Point a type constructible from three `double` coordinates
 /// \tparam Vector the type of normals

@@ -40,11 +40,12 @@ public:
     return static_cast<std::size_t>(std::distance(m_points.begin(), m_points.end()));
   }
 
-  bool has_distances() const override { return has_known_distances; }
+  bool has_distances() const override { return has_known_distances && m_access.are_distances_known(); }
 
   bool read(const Sink& sink) override
   {
     std::vector<Sample> chunk;
+    const bool are_distances_known = has_distances();
     const auto hand_out = [&] {
       const bool goes_on = sink(chunk.data(), chunk.data() + chunk.size());
       chunk.clear();
@@ -55,7 +56,7 @@ public:
       const Vector p = m_access.position(value);
       double distance = 0.;
       if constexpr (has_known_distances)
-        distance = m_access.distance(value);
+        distance = are_distances_known ? m_access.distance(value) : 0.;
       chunk.push_back(Sample{p.x(), p.y(), p.z(), distance});
       if (chunk.size() == samples_per_chunk && !hand_out())
         return true;

@@ -57,6 +57,12 @@ Skeleton_data selected_skeleton(Distance_cloud_source& source, Stage_call& call,
   Surveyed_cloud cloud(source, points_in_memory(np));
   if (!survey_for_stage(cloud, call, given_sampling_distance(np), np))
     return Skeleton_data();
+  if (!cloud.has_distances())
+  {
+    call.fail(Wireframe_extraction_report::Status::INVALID_INPUT,
+              "the points have no distances to features; estimate_distance_field() finds them");
+    return Skeleton_data();
+  }
   return skeleton_of(cloud, call.report().sampling_distance, call.options(), call.report());
 }
 
