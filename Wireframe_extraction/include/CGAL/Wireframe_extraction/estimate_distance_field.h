@@ -13,13 +13,10 @@
 #define CGAL_WIREFRAME_EXTRACTION_ESTIMATE_DISTANCE_FIELD_H
 
 #include <CGAL/Wireframe_extraction/Distance_field.h>
-#include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
-#include <CGAL/Wireframe_extraction/internal/cloud/Range_source.h>
-#include <CGAL/Wireframe_extraction/internal/cloud/cloud_access.h>
-#include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/estimated_field.h>
+#include <CGAL/Wireframe_extraction/parameters.h>
 
-#include <type_traits>
+#include <CGAL/tags.h>
 
 namespace CGAL {
 namespace Wireframe_extraction {
@@ -109,21 +106,7 @@ template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRan
 Distance_field estimate_distance_field(PointRange& points,
                                        const NamedParameters& np = CGAL::parameters::default_values())
 {
-  typedef internal::Cloud_access<PointRange, NamedParameters> Access;
-  const Access access(points, np);
-  internal::Range_source<PointRange, Access, false> source(points, access);
-  internal::Stage_call call(np);
-  Distance_field field =
-    internal::run_concurrently<ConcurrencyTag>([&] { return internal::estimated_field(source, call, np); });
-  if (field.is_empty())
-    return field;
-  constexpr bool is_map_given =
-    !CGAL::parameters::is_default_parameter<NamedParameters, internal_np::distance_map_t>::value;
-  if constexpr (is_map_given || (Access::has_distances && !std::is_const<PointRange>::value))
-    internal::put_values(points, access.distance_map(), field.distances);
-  if constexpr (!CGAL::parameters::is_default_parameter<NamedParameters, internal_np::deviation_map_t>::value)
-    internal::put_values(points, CGAL::parameters::get_parameter(np, internal_np::deviation_map), field.deviations);
-  return field;
+  return internal::estimated_field<ConcurrencyTag>(points, np);
 }
 
 } // namespace Wireframe_extraction

@@ -13,16 +13,9 @@
 #define CGAL_WIREFRAME_EXTRACTION_FIND_DOUBTS_H
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
-#include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
-#include <CGAL/Wireframe_extraction/internal/base/Plain_traits.h>
-#include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
-#include <CGAL/Wireframe_extraction/internal/pipeline/find_doubts.h>
-#include <CGAL/Wireframe_extraction/internal/spline/Wireframe_converter.h>
-
-#include <cstddef>
-#include <functional>
+#include <CGAL/Wireframe_extraction/internal/pipeline/note_doubts.h>
 
 namespace CGAL {
 namespace Wireframe_extraction {
@@ -63,18 +56,7 @@ bool find_doubts(const Wireframe_skeleton<GeomTraits>& skeleton, Wireframe<GeomT
                  const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::Stage_call call(np);
-  if (!call.is_well())
-    return false;
-  const std::function<bool(double)> proceed = call.progress();
-  const internal::Plain_traits plain_traits;
-  Wireframe<internal::Plain_traits> plain =
-    internal::Wireframe_converter<GeomTraits, internal::Plain_traits>(skeleton.traits(), plain_traits)(wireframe);
-  bool is_complete = false;
-  internal::run_concurrently<ConcurrencyTag>(
-    [&] { is_complete = internal::find_doubts(skeleton.data(), call.options(), plain, proceed); });
-  for (std::size_t c = 0; c < wireframe.curves.size(); ++c)
-    wireframe.curves[c].doubts = plain.curves[c].doubts;
-  return is_complete || call.fail(Wireframe_extraction_report::Status::CANCELLED, "cancelled");
+  return internal::note_doubts<ConcurrencyTag>(skeleton, wireframe, call);
 }
 
 } // namespace Wireframe_extraction

@@ -14,11 +14,8 @@
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
-#include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
-#include <CGAL/Wireframe_extraction/internal/types/recognize.h>
-
-#include <functional>
+#include <CGAL/Wireframe_extraction/internal/types/recognized_types.h>
 
 namespace CGAL {
 namespace Wireframe_extraction {
@@ -108,16 +105,7 @@ template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTrai
   const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::Stage_call call(np);
-  call.report().regularities.clear();
-  Wireframe<GeomTraits> result;
-  if (!call.is_well())
-    return result;
-  const std::function<bool(double)> proceed = call.progress();
-  internal::run_concurrently<ConcurrencyTag>([&] {
-    if (!internal::recognize(skeleton, wireframe, call.options(), proceed, result, call.report().regularities))
-      call.fail(Wireframe_extraction_report::Status::CANCELLED, "cancelled");
-  });
-  return result;
+  return internal::recognized_types<ConcurrencyTag>(skeleton, wireframe, call);
 }
 
 } // namespace Wireframe_extraction

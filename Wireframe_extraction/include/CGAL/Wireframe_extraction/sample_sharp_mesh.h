@@ -12,81 +12,15 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_SAMPLE_SHARP_MESH_H
 #define CGAL_WIREFRAME_EXTRACTION_SAMPLE_SHARP_MESH_H
 
-#include <CGAL/Wireframe_extraction/Sharp_mesh_report.h>
-#include <CGAL/Wireframe_extraction/internal/mesh/Polygon_soup.h>
-#include <CGAL/Wireframe_extraction/internal/mesh/Sharp_mesh.h>
-#include <CGAL/Wireframe_extraction/internal/mesh/report_on_mesh.h>
+#include <CGAL/Wireframe_extraction/internal/mesh/mesh_calls.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 #include <CGAL/Wireframe_extraction/policies.h>
 
-#include <CGAL/number_utils.h>
-
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Wireframe_extraction {
-namespace internal {
-
-// what the named parameters say about a mesh
-template <class NamedParameters>
-Sharp_mesh_options sharp_mesh_options(const NamedParameters& np)
-{
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  Sharp_mesh_options options;
-  options.sampling_distance =
-    choose_parameter(get_parameter(np, internal_np::sampling_distance), options.sampling_distance);
-  options.maximum_number_of_points = static_cast<std::size_t>(
-    choose_parameter(get_parameter(np, internal_np::maximum_number_of_points), options.maximum_number_of_points));
-  options.minimum_fold = choose_parameter(get_parameter(np, internal_np::minimum_fold), options.minimum_fold);
-  options.maximum_facet_fold =
-    choose_parameter(get_parameter(np, internal_np::maximum_facet_fold), options.maximum_facet_fold);
-  options.use_boundaries = choose_parameter(get_parameter(np, internal_np::use_boundaries), options.use_boundaries);
-  options.random_seed =
-    static_cast<std::uint32_t>(choose_parameter(get_parameter(np, internal_np::random_seed), options.random_seed));
-  return options;
-}
-
-template <class PointRange, class PolygonRange>
-Polygon_soup polygon_soup(const PointRange& points, const PolygonRange& polygons)
-{
-  Polygon_soup soup;
-  for (const auto& p : points)
-    soup.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-  for (const auto& polygon : polygons)
-  {
-    soup.polygons.emplace_back();
-    for (const auto& index : polygon)
-      soup.polygons.back().push_back(static_cast<std::size_t>(index));
-  }
-  return soup;
-}
-
-// hands what was found to the caller; returns whether there is no error
-template <class NamedParameters>
-bool tell_about_mesh(const NamedParameters& np, const Sharp_mesh_report& report, const std::string& error)
-{
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  Sharp_mesh_report unused;
-  Sharp_mesh_report& wanted =
-    choose_parameter(get_parameter(np, internal_np::mesh_report), std::reference_wrapper<Sharp_mesh_report>(unused));
-  wanted = report;
-  std::string* const text =
-    choose_parameter(get_parameter(np, internal_np::error_message), static_cast<std::string*>(nullptr));
-  if (text != nullptr)
-    *text = error;
-  return error.empty();
-}
-
-} // namespace internal
-
 /// \ingroup PkgWireframeExtractionFunctions
 /// samples the surface of a mesh whose sharp edges are edges of the mesh, as that of a CAD model, and computes the
 /// distance of each point to the nearest sharp edge. The result can be handed to `CGAL::extract_wireframe()`.
@@ -185,25 +119,7 @@ template <class PointRange, class PolygonRange, class Point, class FT, typename 
 bool sample_sharp_mesh(const PointRange& points, const PolygonRange& polygons, std::vector<std::pair<Point, FT>>& cloud,
                        const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  const internal::Sharp_mesh_options options = internal::sharp_mesh_options(np);
-  internal::Sharp_mesh mesh;
-  const std::string error = internal::make_sharp_mesh(internal::polygon_soup(points, polygons), options, mesh);
-  if (!error.empty())
-    return internal::tell_about_mesh(np, Sharp_mesh_report(), error);
-  const internal::Mesh_samples samples = internal::sample_mesh(
-    mesh, options,
-    CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, CGAL::internal_np::callback),
-                                       std::function<bool(double)>()));
-  if (samples.points.empty())
-    return internal::tell_about_mesh(np, internal::report_on_mesh(mesh), "cancelled");
-  cloud.clear();
-  cloud.reserve(samples.points.size());
-  for (std::size_t i = 0; i < samples.points.size(); ++i)
-    cloud.emplace_back(Point(samples.points[i].x(), samples.points[i].y(), samples.points[i].z()),
-                       FT(samples.distances[i]));
-  Sharp_mesh_report report = internal::report_on_mesh(mesh);
-  report.sampling_distance = samples.sampling_distance;
-  return internal::tell_about_mesh(np, report, error);
+  return internal::sampled_sharp_mesh(points, polygons, cloud, np);
 }
 
 /// \ingroup PkgWireframeExtractionFunctions
@@ -262,11 +178,7 @@ template <class PointRange, class PolygonRange, typename CGAL_NP_TEMPLATE_PARAME
 Mesh_kind classify_mesh(const PointRange& points, const PolygonRange& polygons,
                         const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  internal::Sharp_mesh mesh;
-  const std::string error =
-    internal::make_sharp_mesh(internal::polygon_soup(points, polygons), internal::sharp_mesh_options(np), mesh);
-  internal::tell_about_mesh(np, error.empty() ? internal::report_on_mesh(mesh) : Sharp_mesh_report(), error);
-  return mesh.kind;
+  return internal::kind_of_mesh(points, polygons, np);
 }
 
 } // namespace Wireframe_extraction

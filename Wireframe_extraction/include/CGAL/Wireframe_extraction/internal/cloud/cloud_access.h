@@ -87,8 +87,8 @@ public:
   }
 };
 
-// The maps of a range that are not given. They fit bare points, pairs of a point and a distance, and pairs of a point and
-// anything else, such as a normal.
+// The maps of a range that are not given. They fit bare points, pairs of a point and a distance, and pairs of a point
+// and anything else, such as a normal.
 template <class PointRange, class Value, class = void>
 struct Default_maps
 {

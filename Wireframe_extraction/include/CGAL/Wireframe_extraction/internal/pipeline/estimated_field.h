@@ -15,7 +15,10 @@
 #include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
 #include <CGAL/Wireframe_extraction/Distance_field.h>
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
+#include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Range_source.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/cloud_access.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/best_field.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/estimate_distances.h>
@@ -26,6 +29,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -63,6 +67,26 @@ void put_values(Range& range, const Map& map, const std::vector<double>& values)
   std::size_t i = 0;
   for (auto&& element : range)
     put(map, element, Value(values[i++]));
+}
+
+// the same of a range, whose maps get what is estimated, if they can
+template <class ConcurrencyTag, class PointRange, class NamedParameters>
+Distance_field estimated_field(PointRange& points, const NamedParameters& np)
+{
+  typedef Cloud_access<PointRange, NamedParameters> Access;
+  const Access access(points, np);
+  Range_source<PointRange, Access, false> source(points, access);
+  Stage_call call(np);
+  Distance_field field = run_concurrently<ConcurrencyTag>([&] { return estimated_field(source, call, np); });
+  if (field.is_empty())
+    return field;
+  constexpr bool is_map_given =
+    !CGAL::parameters::is_default_parameter<NamedParameters, internal_np::distance_map_t>::value;
+  if constexpr (is_map_given || (Access::has_distances && !std::is_const<PointRange>::value))
+    put_values(points, access.distance_map(), field.distances);
+  if constexpr (!CGAL::parameters::is_default_parameter<NamedParameters, internal_np::deviation_map_t>::value)
+    put_values(points, CGAL::parameters::get_parameter(np, internal_np::deviation_map), field.deviations);
+  return field;
 }
 
 } // namespace internal
