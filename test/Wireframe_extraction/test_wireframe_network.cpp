@@ -344,7 +344,18 @@ void test_extended_curves_are_not_traced_again()
 {
   std::mt19937 random(6);
   const Field_band band = band_of(fold(-30., 30., random));
-  Curve_tracer tracer(band, Tracing_options());
+  Field_explanation explanation(band);
+  Curve_tracer tracer(band, Tracing_options(), &explanation);
+  const auto share_explained = [&](double from, double to) {
+    std::size_t explained = 0, all = 0;
+    for (std::size_t i = 0; i < band.size(); ++i)
+      if (band.points[i].x() > from && band.points[i].x() < to)
+      {
+        ++all;
+        explained += explanation.is_explained(i, 0.);
+      }
+    return double(explained) / double(all);
+  };
   Traced_curve other; // far away: the curve that is extended is not the first one
   other.points = straight(Vector(0., 100., 0.), Vector(20., 100., 0.));
   tracer.keep(other);
@@ -354,7 +365,9 @@ void test_extended_curves_are_not_traced_again()
   curve.tips[0].tangent = -Vector::UnitX();
   curve.tips[1] = along_x(8.);
   tracer.keep(curve);
+  assert(share_explained(-4., 7.) > 0.99 && share_explained(13., 28.) == 0. && share_explained(-28., -10.) == 0.);
   tracer.extend(curve, 1);
+  assert(share_explained(-28., -10.) > 0.99 && share_explained(13., 28.) > 0.99);
   assert(std::abs(curve.points.front().x() + 30.) < 1.5 && std::abs(curve.points.back().x() - 30.) < 1.5);
   assert(distance_from_x_axis(curve.points) < 0.1);
   assert(curve.ends_in_void[0] && curve.ends_in_void[1]);

@@ -40,8 +40,8 @@ class Curve_tracer
   const Field_band& m_band;
   Tracing_options m_options;
   Local_curve_fit m_fit;
-  const Field_explanation* m_explanation; // by other curves
-  Progress* m_progress;                   // may stop a curve on its way
+  Field_explanation* m_explanation; // by the curves that were kept
+  Progress* m_progress;             // may stop a curve on its way
   Contracted_curves m_contracted;
   std::vector<std::size_t> m_ball;
   Segment_grid m_traced;
@@ -59,7 +59,7 @@ public:
     CONTRADICTION
   };
 
-  Curve_tracer(const Field_band& band, const Tracing_options& options, const Field_explanation* explanation = nullptr,
+  Curve_tracer(const Field_band& band, const Tracing_options& options, Field_explanation* explanation = nullptr,
                Progress* progress = nullptr, const Contraction* contraction = nullptr)
     : m_band(band), m_options(options), m_fit(band), m_explanation(explanation), m_progress(progress),
       m_contracted(band, contraction)
@@ -90,7 +90,8 @@ public:
     return curve;
   }
 
-  // Follows the field beyond the ends of an open curve that was kept as number `index`, and keeps what it adds.
+  // Follows the field beyond the ends of an open curve that was kept as number `index`, and keeps what it adds: that
+  // explains the field, too.
   void extend(Traced_curve& curve, std::size_t index)
   {
     m_extended = index;
@@ -117,10 +118,15 @@ public:
       curve.ends_in_void[e] = ends_in_void;
     }
     m_extended = Segment_grid::no_curve;
+    explain_by(curve);
   }
 
-  // no later curve is traced along this one
-  void keep(const Traced_curve& curve) { m_traced.add(m_number_of_traced++, curve.points); }
+  // no later curve is traced along this one, and what it explains does not contradict later ones
+  void keep(const Traced_curve& curve)
+  {
+    m_traced.add(m_number_of_traced++, curve.points);
+    explain_by(curve);
+  }
 
   // whether a kept curve runs along this one
   bool is_traced(const Local_curve& front) const
@@ -166,6 +172,12 @@ public:
   }
 
 private:
+  void explain_by(const Traced_curve& curve)
+  {
+    if (m_explanation)
+      m_explanation->add(curve.points);
+  }
+
   // returns whether the curve came back to where it began; otherwise the tip is set
   bool follow(const Local_curve& start, Segment_grid& own, std::vector<Vector>& path, std::vector<double>& residuals,
               Local_curve& tip, bool& ends_in_void)

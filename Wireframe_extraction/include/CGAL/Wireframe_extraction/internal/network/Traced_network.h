@@ -310,16 +310,12 @@ private:
     Curve_tracer tracer(m_band, m_tracing, &explanation, &progress, &m_contraction);
     for (const Traced_curve& curve : m_contraction.creases)
     {
-      explanation.add(curve.points);
       tracer.keep(curve);
       curves.push_back(curve);
     }
     // a fading crease can be followed further in a field that is precise
     for (std::size_t c = 0; noise < extending_noise && c < curves.size() && progress.goes_on(); ++c)
-    {
       tracer.extend(curves[c], c);
-      explanation.add(curves[c].points);
-    }
     std::size_t done = 0;
     for (std::size_t i : seeds)
     {
@@ -338,7 +334,6 @@ private:
         break;
       if (curve.length() < least_length_of_trace() || curve.typical_residual() > residual + residual_per_noise * noise)
         continue;
-      explanation.add(curve.points);
       tracer.keep(curve);
       curves.push_back(curve);
     }
@@ -347,7 +342,7 @@ private:
   }
 
   // Curves so close to others that no fit there was good: what the others explain is set aside now.
-  void trace_unexplained(Curve_tracer& tracer, Field_explanation& explanation, std::vector<Traced_curve>& curves,
+  void trace_unexplained(Curve_tracer& tracer, const Field_explanation& explanation, std::vector<Traced_curve>& curves,
                          Progress& progress) const
   {
     const Curve_evidence evidence(m_band, m_contraction.noise);
@@ -382,7 +377,6 @@ private:
           || evidence.gain_of(curve.points, explanation.distances())
             < (unexplained_gain + unexplained_gain_per_length * length) * m_options.minimum_evidence)
         continue;
-      explanation.add(curve.points);
       tracer.keep(curve);
       curves.push_back(curve);
     }
