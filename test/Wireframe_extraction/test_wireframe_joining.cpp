@@ -730,6 +730,171 @@ void test_gaps()
     }
 }
 
+// Where the data end, a trace stops farther before its corner, and less is known of where that is.
+void test_ends_in_void()
+{
+  for (const bool is_in_void : {false, true})
+  {
+    Curve_network network = network_of(
+      {straight(Vector(34., 0., 0.), Vector(4., 0., 0.)), straight(Vector(0., 34., 0.), Vector(0., 4., 0.))});
+    for (Network_curve& curve : network.curves)
+      curve.ends_in_void[1] = is_in_void;
+    Corner_merger(network, options).merge_nodes_that_agree();
+    check_ends(network);
+    assert((network.curves[0].nodes[1] == network.curves[1].nodes[1]) == is_in_void);
+    assert(!is_in_void || network.nodes[network.curves[0].nodes[1]].norm() < 0.5);
+  }
+}
+
+// a polyline that starts at a place in some direction of the plane: angles in radians, turns by length
+Polyline bent(Vector from, double angle, const std::vector<std::pair<double, double>>& lengths_and_curvatures)
+{
+  const double step = 0.25;
+  Polyline points{from};
+  for (const auto& part : lengths_and_curvatures)
+    for (double s = 0.; s < part.first - 0.5 * step; s += step)
+    {
+      from += step * Vector(std::cos(angle + 0.5 * step * part.second), std::sin(angle + 0.5 * step * part.second), 0.);
+      angle += step * part.second;
+      points.push_back(from);
+    }
+  return points;
+}
+
+// A bridge turns by 69 degrees at most, however long the gap is.
+void test_turn_of_bridges()
+{
+  for (const double turn : {1.1, 1.3})
+  {
+    const double half = 0.5 * turn;
+    Curve_network network =
+      network_of({straight(Vector(-30. * std::cos(half), -30. * std::sin(half), 0.), Vector(0., 0., 0.)),
+                  straight(Vector(16., 0., 0.), Vector(16. + 30. * std::cos(half), -30. * std::sin(half), 0.))});
+    Curve_end_joiner(network, options).bridge_gaps();
+    check_ends(network);
+    assert((network.curves[0].nodes[1] == network.curves[1].nodes[0]) == (turn < 1.2));
+  }
+}
+
+// The direction behind a last part that went astray is that at its end, not that of the chord before it: on an arc, that
+// is the difference between a bridge that turns too much and one that does not.
+void test_bridges_of_arcs()
+{
+  const double radius = 12., gap = 4.5, turn = gap / radius;
+  Joining_options exact;
+  exact.noise = 0.02;
+  Polyline arc = bent(Vector(0., 0., 0.), 2. * quarter_turn, {{25., -1. / radius}});
+  std::reverse(arc.begin(), arc.end());
+  const Vector next(radius * std::sin(turn), radius - radius * std::cos(turn), 0.);
+  Curve_network network =
+    network_of({arc + straight(Vector(0., 0., 0.), Vector(1., -2., 0.)), bent(next, turn, {{25., 1. / radius}})});
+  network.curves[1].tips[0].tangent = -Vector(std::cos(turn), std::sin(turn), 0.);
+  Curve_end_joiner(network, exact).bridge_gaps();
+  check_ends(network);
+  assert(network.curves[0].nodes[1] == network.curves[1].nodes[0]);
+}
+
+// Of two ends that one may lead to, it is the better one, whatever their order, and none other is touched.
+void test_choice_of_bridges()
+{
+  const Polyline from = straight(Vector(-30., 0., 0.), Vector(0., 0., 0.));
+  const Polyline better = straight(Vector(6., 0., 0.), Vector(36., 0., 0.));
+  const Polyline worse = straight(Vector(8., 1., 0.), Vector(38., 5., 0.));
+  for (const bool is_better_first : {false, true})
+  {
+    Curve_network network = network_of({from, is_better_first ? better : worse, is_better_first ? worse : better});
+    Curve_end_joiner(network, options).bridge_gaps();
+    check_ends(network);
+    const std::size_t chosen = is_better_first ? 1 : 2;
+    assert(network.curves[0].nodes[1] == network.curves[chosen].nodes[0]);
+    assert(network.curves[0].nodes[1] != network.curves[3 - chosen].nodes[0]);
+    assert((network.curves[3 - chosen].points.front() - worse.front()).norm() == 0.);
+    assert(number_of_ends_at(network, Vector(3., 0., 0.), 3.5) == 2);
+    assert(are_near(sorted_lengths(network), {30.26, 33., 33.}, 0.1));
+  }
+}
+
+// Ends that lead on nearly as well as what lies behind them are not cut off.
+void test_depth_of_bridges()
+{
+  for (const double off : {0.08, 0.2})
+  {
+    Curve_network network = network_of(
+      {straight(Vector(-30., 0., 0.), Vector(0., 0., 0.)), straight(Vector(2., 0., 0.), Vector(32., 0., 0.))});
+    network.curves[0].tips[1].tangent = Vector(std::cos(off), std::sin(off), 0.);
+    Curve_end_joiner(network, options).bridge_gaps();
+    check_ends(network);
+    const std::size_t node = network.curves[0].nodes[1];
+    assert(node == network.curves[1].nodes[0]);
+    // in the middle of the gap, which is larger if the last part was cut off
+    assert(std::abs(network.nodes[node].x() - (off < 0.1 ? 1. : -0.5)) < 0.3);
+  }
+}
+
+// A closed curve that passes smoothly through its node has none.
+void test_smooth_loops()
+{
+  const double radius = 10.;
+  for (const bool is_smooth : {true, false})
+  {
+    Polyline loop = bent(Vector(0., 0., 0.), 0., {{4. * quarter_turn * radius, 1. / radius}});
+    if (!is_smooth)
+      loop.insert(loop.end() - 1, Vector(-1., -2., 0.));
+    loop.back() = loop.front();
+    Curve_network network = network_of({loop});
+    assert(network.curves[0].nodes[0] == network.curves[0].nodes[1]);
+    Curve_end_joiner(network, options).prune([](const std::vector<const Polyline*>& polylines) {
+      return std::vector<char>(polylines.size(), 1);
+    });
+    assert(network.curves[0].is_alive && network.curves[0].is_closed_without_node() == is_smooth);
+  }
+}
+
+// Two curves that leave a node side by side are no bridge from one to the other.
+void test_tangent_curves_in_a_node()
+{
+  const Vector middle(0., 0., 0.);
+  Curve_network network = network_of({straight(Vector(-20., 0., 0.), middle), straight(middle, Vector(20., 1.5, 0.)),
+                                      straight(middle, Vector(20., -1.5, 0.))});
+  Tangency_resolver(network, options).bridge_tangencies();
+  check_ends(network);
+  assert(living(network).size() == 3);
+  for (const std::size_t c : {1, 2})
+    assert(network.curves[c].nodes[0] == network.curves[0].nodes[1]);
+}
+
+// Curves that are one for a while are parted only if each leads on to another one: not where one of them comes from aside.
+void test_tangent_curves_without_partners()
+{
+  for (const bool is_from_aside : {false, true})
+  {
+    const Vector left(0., 0., 0.), right(6., 0., 0.);
+    const Polyline aside = bent(left, 2. * quarter_turn, {{6.5, 0.}, {is_from_aside ? 3. : 0., -0.35}, {15., 0.}});
+    Curve_network network = network_of({aside, straight(left, Vector(-20., -4., 0.)), straight(left, right),
+                                        straight(right, Vector(26., 3., 0.)), straight(right, Vector(26., -3., 0.))});
+    Tangency_resolver(network, options).separate_tangent_curves();
+    check_ends(network);
+    assert(living(network).size() == (is_from_aside ? 5u : 2u));
+  }
+}
+
+// What both ends of a short curve lead to, in a circle, is no acute corner.
+void test_no_acute_corner_of_a_loop()
+{
+  const Vector start(0., 0., 0.), end(5., 0., 0.);
+  for (const bool is_loop : {false, true})
+  {
+    const Polyline back = straight(start, Vector(-15., -3., 0.));
+    const Polyline loop = back + straight(Vector(-15., -3., 0.), Vector(-15., -20., 0.))
+      + straight(Vector(-15., -20., 0.), Vector(20., -20., 0.)) + straight(Vector(20., -20., 0.), end);
+    Curve_network network =
+      network_of({straight(Vector(-20., 3., 0.), start), is_loop ? loop : back, straight(start, end)});
+    Tangency_resolver(network, options).close_acute_corners();
+    check_ends(network);
+    assert(network.curves[2].is_alive == is_loop);
+  }
+}
+
 // Cancelling -------------------------------------------------------------------------------------------
 
 // Cells far from each other, in each of which every step finds something: ends that agree, an end beside another curve,
@@ -849,6 +1014,15 @@ int main()
   test_arc_between_free_ends();
   test_extension_of_free_ends();
   test_gaps();
+  test_ends_in_void();
+  test_turn_of_bridges();
+  test_bridges_of_arcs();
+  test_choice_of_bridges();
+  test_depth_of_bridges();
+  test_smooth_loops();
+  test_tangent_curves_in_a_node();
+  test_tangent_curves_without_partners();
+  test_no_acute_corner_of_a_loop();
   test_cancelling();
   return 0;
 }
