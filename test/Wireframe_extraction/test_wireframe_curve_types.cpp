@@ -294,6 +294,102 @@ void test_splines_stay()
         assert(!piece.fit);
 }
 
+// positions along parts of a plane curve, each with a length and a curvature, from a place in some direction
+std::function<Vector(double)> joined(std::vector<std::pair<double, double>> parts, Vector start = Vector::Zero(),
+                                     double angle = 0., const std::vector<double>& kinks = {})
+{
+  return [=](double s) {
+    Vector p = start;
+    double a = angle;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      const double length = i + 1 < parts.size() ? (std::min)(s, parts[i].first) : s, turn = length * parts[i].second;
+      const double chord = std::abs(turn) > 1e-9 ? 2. * std::sin(0.5 * turn) / parts[i].second : length;
+      p += chord * Vector(std::cos(a + 0.5 * turn), std::sin(a + 0.5 * turn), 0.);
+      s -= length;
+      if (!(s > 0.))
+        break;
+      a += turn + (i < kinks.size() ? kinks[i] : 0.);
+    }
+    return p;
+  };
+}
+
+bool has_neighboring_primitives(const std::vector<Curve_piece>& pieces)
+{
+  for (std::size_t i = 1; i < pieces.size(); ++i)
+    if (pieces[i].fit && pieces[i - 1].fit)
+      return true;
+  return false;
+}
+
+// Where two primitives would not go on from one to the other, there is a spline between: a step to the side, a kink, both
+// between stations.
+void test_no_steps_and_kinks()
+{
+  const auto step = [](double s) { return Vector(s, s < 19.5 ? 0. : 1., 0.); };
+  const std::vector<Curve_piece> aside = cut(stations_along(step, 39., 0.01));
+  assert(aside.size() > 1 && !has_neighboring_primitives(aside));
+  for (const double kink : {0.45, 1.})
+    for (const double curvature : {0., 0.08, -0.08})
+    {
+      const std::vector<Curve_piece> pieces =
+        cut(stations_along(joined({{19.5, 0.}, {19.5, curvature}}, Vector::Zero(), 0., {kink}), 39., 0.01));
+      assert(pieces.size() > 1 && pieces[0].is_line() && !has_neighboring_primitives(pieces));
+    }
+}
+
+// Arcs in a row are no evidence of arcs.
+void test_arcs_in_a_row()
+{
+  for (int round = 0; round < 10; ++round)
+    for (const Curve_piece& piece :
+         cut(stations_along(joined({{18., 1. / 8.}, {18., 1. / 14.}, {18., 1. / 6.}}), 54., 0.01)))
+      assert(!piece.fit);
+}
+
+// The rounded end between two lines may be half an ellipse.
+void test_ellipse_between_lines()
+{
+  const double major = 12., minor = 6.;
+  std::vector<Vector> places; // at equal steps
+  const auto add = [&](const Vector& p) {
+    if (places.empty())
+      places.push_back(p);
+    while ((p - places.back()).norm() >= 1.5)
+      places.push_back(places.back() + 1.5 * (p - places.back()).normalized());
+  };
+  for (double x = -20.; x < 0.; x += 0.01)
+    add(Vector(x, -minor, 0.));
+  for (double t = -0.5 * pi; t < 0.5 * pi; t += 0.001)
+    add(Vector(major * std::cos(t), minor * std::sin(t), 0.));
+  for (double x = 0.; x > -20.; x -= 0.01)
+    add(Vector(x, minor, 0.));
+  std::vector<Station> stations;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    stations.push_back(station(
+      places[i], (places[(std::min)(i + 1, places.size() - 1)] - places[i == 0 ? 0 : i - 1]).normalized(), 0.02));
+  const std::vector<Curve_piece> pieces = cut(stations);
+  assert(pieces.size() == 3 && pieces[0].is_line() && pieces[2].is_line());
+  assert(pieces[1].fit && pieces[1].fit->curve.kind == Primitive_kind::ELLIPSE);
+  assert(std::abs(pieces[1].fit->curve.major_radius - major) < 0.5);
+}
+
+// A station that errs, wherever it is, ends no piece.
+void test_outliers_where_windows_end()
+{
+  for (std::size_t i = 2; i < 25; ++i)
+  {
+    std::vector<Station> stations = stations_along(joined({{20., 0.}, {20., 0.1}}), 40., 0.01);
+    stations[i].position.z() += 0.2;
+    const std::vector<Curve_piece> pieces = cut(stations);
+    std::size_t on_primitives = 0;
+    for (const Curve_piece& piece : pieces)
+      on_primitives += piece.fit ? piece.size : 0;
+    assert(on_primitives + 4 >= stations.size());
+  }
+}
+
 // The slot once more: its pieces share vertices and tangents.
 void test_common_fit()
 {
@@ -669,6 +765,7 @@ void test_refused_courses()
 
 int main()
 {
+
   test_feet();
   test_through_points();
   test_probability();
@@ -678,6 +775,10 @@ int main()
   test_support();
   test_cuts();
   test_splines_stay();
+  test_no_steps_and_kinks();
+  test_arcs_in_a_row();
+  test_ellipse_between_lines();
+  test_outliers_where_windows_end();
   test_common_fit();
   test_elliptic_arc();
   test_regularities();
