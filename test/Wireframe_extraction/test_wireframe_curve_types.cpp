@@ -765,7 +765,6 @@ void test_refused_courses()
 
 int main()
 {
-
   test_feet();
   test_through_points();
   test_probability();
@@ -775,10 +774,6 @@ int main()
   test_support();
   test_cuts();
   test_splines_stay();
-  test_no_steps_and_kinks();
-  test_arcs_in_a_row();
-  test_ellipse_between_lines();
-  test_outliers_where_windows_end();
   test_common_fit();
   test_elliptic_arc();
   test_regularities();
@@ -787,5 +782,9 @@ int main()
   test_bounds_of_regularities();
   test_who_is_regular();
   test_refused_courses();
+  test_no_steps_and_kinks();
+  test_arcs_in_a_row();
+  test_ellipse_between_lines();
+  test_outliers_where_windows_end();
   return 0;
 }

@@ -89,7 +89,7 @@ public:
             m_contraction.own_residuals[i] = found.residual;
           }
         },
-        proceed);
+        [&](double share) { return proceed((double(pass) + share) / double(number_of_passes)); });
       if (!is_complete)
         return false;
       m_contraction.curves.swap(fitted);

@@ -40,6 +40,7 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool contract(const Field_band& band, double ra
               order.end());
   // the fits of balls that are smaller, and see one of several curves more often
   static constexpr double share_of_small_balls = 0.7;
+  static constexpr double share_of_singles = 0.3; // of the time, about, where fits of several curves follow
   std::vector<std::vector<Local_curve>> small(band.skeleton_size);
   const bool is_complete = for_each_piece_or_cancel(
     order.size(),
@@ -60,7 +61,7 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool contract(const Field_band& band, double ra
                                                           });
       }
     },
-    proceed);
+    [&](double share) { return proceed(share_of_singles * share); });
   result.noise = median(result.residuals);
   result.own_residuals = result.residuals;
   if (!is_complete)
@@ -68,7 +69,7 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool contract(const Field_band& band, double ra
   Several_curves_contraction several(band, order, small, result);
   if (!several.is_of_use())
     return true;
-  return several.run(proceed);
+  return several.run([&](double share) { return proceed(share_of_singles + (1. - share_of_singles) * share); });
 }
 
 CGAL_WIREFRAME_EXTRACTION_INLINE bool contract(Skeleton_data& skeleton, const Extraction_options& options,
