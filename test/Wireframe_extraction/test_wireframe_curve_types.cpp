@@ -323,8 +323,8 @@ bool has_neighboring_primitives(const std::vector<Curve_piece>& pieces)
   return false;
 }
 
-// Where two primitives would not go on from one to the other, there is a spline between: a step to the side, a kink, both
-// between stations.
+// Where two primitives would not go on from one to the other, there is a spline between: a step to the side, a kink,
+// both between stations.
 void test_no_steps_and_kinks()
 {
   const auto step = [](double s) { return Vector(s, s < 19.5 ? 0. : 1., 0.); };

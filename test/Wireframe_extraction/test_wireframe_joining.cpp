@@ -776,8 +776,8 @@ void test_turn_of_bridges()
   }
 }
 
-// The direction behind a last part that went astray is that at its end, not that of the chord before it: on an arc, that
-// is the difference between a bridge that turns too much and one that does not.
+// The direction behind a last part that went astray is that at its end, not that of the chord before it: on an arc,
+// that is the difference between a bridge that turns too much and one that does not.
 void test_bridges_of_arcs()
 {
   const double radius = 12., gap = 4.5, turn = gap / radius;
@@ -863,7 +863,8 @@ void test_tangent_curves_in_a_node()
     assert(network.curves[c].nodes[0] == network.curves[0].nodes[1]);
 }
 
-// Curves that are one for a while are parted only if each leads on to another one: not where one of them comes from aside.
+// Curves that are one for a while are parted only if each leads on to another one: not where one
+// of them comes from aside.
 void test_tangent_curves_without_partners()
 {
   for (const bool is_from_aside : {false, true})
