@@ -275,8 +275,8 @@ void test_pairs_of_sheets()
   assert(smooth.margin(round, 0.04) < 15.);
 }
 
-// The same two planes are folded a little if their points lie to both sides of where they meet, and the edge of a knife if
-// they lie to one side.
+// The same two planes are folded a little if their points lie to both sides of where they meet, and the edge of a knife
+// if they lie to one side.
 void test_angles_of_folds()
 {
   for (double degrees : {15., 25., 60., 90., 120., 155., 165.})

@@ -56,8 +56,10 @@ struct Fold_scales
   // taken from as far as a sheet reaches.
   static constexpr double radius_of_sheets = 3., radius_of_planes = 1.6, radius_of_planes_by_noise = 0.5;
   static constexpr double reach_of_planes = 2.5, reach_of_planes_by_noise = 0.5;
-  // whether sheets end is asked next to the fold, whether one sheet explains both in the ball of a small fold
-  static constexpr double radius_for_ends = 1.5, radius_for_margin = 3.;
+  // whether sheets end is asked next to the fold, and farther where too few points tell; whether one sheet explains
+  // both in the ball of a small fold
+  static constexpr int number_of_radii_for_ends = 3;
+  static constexpr double radius_for_ends = 1.5, step_of_radii_for_ends = 0.75, radius_for_margin = 3.;
 
   // The balls of one size in which folds are looked for.
   struct Balls
@@ -79,7 +81,7 @@ struct Fold_scales
   std::size_t least_votes;
   double sheet_radius;              // of the balls in which sheets are fitted
   double plane_radius, plane_reach; // of those in which planes are, and how far away planes are taken from
-  double radii_of_ends[3],
+  double radii_of_ends[number_of_radii_for_ends],
     radius_of_margin; // of those in which two sheets are compared; the smallest that tells counts
 
   explicit Fold_scales(double noise)
@@ -90,17 +92,18 @@ struct Fold_scales
     are_frames_turned = share <= most_share_to_turn_frames;
     are_wide_balls_asked = share > least_share_for_wide_balls;
     constexpr double any = (std::numeric_limits<double>::infinity)();
-    small = {3. + share, 6. - 3. * part, 10. - 7. * part, any};
-    large = {4. + share, 6. - 3. * part, 15. - 11. * part, any};
-    wide = {wide_radius + share, 3., 6., 1.6};
-    vote_radius = 0.5 + 0.2 * part;
-    least_votes = part < 0.5 ? 3 : 4;
-    sheet_radius = 3. + share;
-    plane_radius = 1.6 + 0.5 * share;
-    plane_reach = 2.5 + 0.5 * share;
-    for (int n = 0; n < 3; ++n)
-      radii_of_ends[n] = 1.5 + 0.75 * n + share;
-    radius_of_margin = 3. + share;
+    const double larger = radius_by_noise * share, least = evidence - evidence_lost_by_noise * part;
+    small = {small_radius + larger, least, small_margin - small_margin_lost_by_noise * part, any};
+    large = {large_radius + larger, least, large_margin - large_margin_lost_by_noise * part, any};
+    wide = {wide_radius + larger, wide_evidence, wide_margin, most_wide_residual};
+    vote_radius = radius_of_votes + radius_of_votes_by_noise * part;
+    least_votes = part < noise_for_more_votes ? votes_without_noise : votes_in_noise;
+    sheet_radius = radius_of_sheets + larger;
+    plane_radius = radius_of_planes + radius_of_planes_by_noise * share;
+    plane_reach = reach_of_planes + reach_of_planes_by_noise * share;
+    for (int n = 0; n < number_of_radii_for_ends; ++n)
+      radii_of_ends[n] = radius_for_ends + step_of_radii_for_ends * n + larger;
+    radius_of_margin = radius_for_margin + larger;
   }
 };
 
