@@ -45,6 +45,8 @@ def main():
     arguments.output.mkdir(parents=True, exist_ok=True)
     todo = {cloud: output for cloud, output in clouds.items() if not output.exists()}
     print(f"{len(clouds)} clouds, {len(clouds) - len(todo)} of them done before")
+    if not todo:
+        return 0
 
     if arguments.scheduler:
         client = distributed.Client(arguments.scheduler)

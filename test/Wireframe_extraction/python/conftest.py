@@ -67,3 +67,22 @@ def box(data):
 @pytest.fixture(scope="session")
 def box_wireframe(box):
     return wireframe_extraction.extract(*box)
+
+
+def json_of(wireframe):
+    """Return what stands in the file of a wireframe, to compare all bits."""
+    return wireframe_extraction._core.to_json(wireframe._core)
+
+
+@pytest.fixture(scope="session")
+def cylinder_json(cylinder):
+    return json_of(wireframe_extraction.extract(*cylinder))
+
+
+@pytest.fixture(scope="session")
+def raw_cylinder():
+    """Return points without distances, and the wireframe of them."""
+    points = make_cylinder(1500)[0]
+    wireframe = wireframe_extraction.extract(points)
+    assert len(wireframe.curves) == 2
+    return points, json_of(wireframe)

@@ -9,57 +9,47 @@ import warnings
 
 import numpy as np
 import pytest
-from conftest import make_cylinder
+from conftest import json_of, make_cylinder
 
 import wireframe_extraction as we
 
 
-def json_of(wireframe, tmp_path):
-    wireframe.write(tmp_path / "written.json")
-    return (tmp_path / "written.json").read_bytes()
-
-
 def json_of_tool(tool, tmp_path, *arguments):
     subprocess.run([tool, *map(str, arguments), "-o", str(tmp_path / "tool.json"), "--quiet"], check=True)
-    return (tmp_path / "tool.json").read_bytes()
-
-
-def raw_cylinder(number_of_points=3000):
-    return make_cylinder(number_of_points)[0]
+    return (tmp_path / "tool.json").read_text()
 
 
 @pytest.mark.parametrize("name", ["box_with_hole.ply", "crossing_cylinders.ply", "rounded_plate.stl"])
 def test_same_as_tool(name, data, tool, tmp_path):
-    expected = json_of_tool(tool, tmp_path, data / name)
-    assert json_of(we.extract(data / name), tmp_path) == expected
-    assert json_of(we.extract(*we.read_cloud(str(data / name))), tmp_path) == expected
+    assert json_of(we.extract(data / name)) == json_of_tool(tool, tmp_path, data / name)
+
+
+def test_same_arrays_as_files(data, box_wireframe):
+    assert json_of(we.extract(data / "box_with_hole.ply")) == json_of(box_wireframe)
 
 
 def test_same_as_tool_with_parameters(data, box, tool, tmp_path):
     options = ["--minimum-evidence", 3, "--recognize-types", "false", "--corner-measure", "variance", "--threads", 1]
     expected = json_of_tool(tool, tmp_path, data / "box_with_hole.ply", *options)
     parameters = {"minimum_evidence": 3, "recognize_types": False, "corner_measure": "variance", "threads": 1}
-    assert json_of(we.extract(*box, **parameters), tmp_path) == expected
-    assert json_of(we.extract(*box), tmp_path) != expected
+    assert json_of(we.extract(*box, **parameters)) == expected
+    assert json_of(we.extract(*box)) != expected
 
 
 def test_paper(data, box, tool, tmp_path):
     expected = json_of_tool(tool, tmp_path, data / "box_with_hole.ply", "--paper")
-    assert json_of(we.extract(*box, **we.paper_parameters()), tmp_path) == expected
+    assert json_of(we.extract(*box, **we.paper_parameters())) == expected
 
 
-def test_same_as_tool_without_distances(tool, tmp_path):
-    points = raw_cylinder()
+def test_same_as_tool_without_distances(raw_cylinder, tool, tmp_path):
+    points, json = raw_cylinder
     np.save(tmp_path / "raw.npy", points)
-    expected = json_of_tool(tool, tmp_path, tmp_path / "raw.npy")
-    wireframe = we.extract(points)
-    assert json_of(wireframe, tmp_path) == expected
-    assert wireframe.report.is_field_estimated and wireframe.report.number_of_near_points > 0
+    assert json_of_tool(tool, tmp_path, tmp_path / "raw.npy") == json
     field = we.estimate_distances(points)
     assert field.distances.shape == field.deviations.shape == (len(points),)
     true = make_cylinder(len(points))[1]
     near = field.distances < field.distances.max()
-    assert np.median(np.abs(field.distances - true)[near]) < wireframe.sampling_distance
+    assert near.sum() > 100 and np.median(np.abs(field.distances - true)[near]) < 0.05
 
 
 def test_mesh(data, tool, tmp_path):
@@ -73,7 +63,7 @@ def test_mesh(data, tool, tmp_path):
         file.write(f"OFF\n{len(vertices)} {len(faces)} 0\n")
         file.writelines(" ".join(map(str, row)) + "\n" for row in [*vertices, *([4, *face] for face in faces)])
     expected = json_of_tool(tool, tmp_path, tmp_path / "cube.off", "--maximum-number-of-points", "20000")
-    assert json_of(wireframe, tmp_path) == expected
+    assert json_of(wireframe) == expected
 
 
 CUBE = (np.array([(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=float),
@@ -132,10 +122,10 @@ def test_progress_of_a_mesh():
     lambda p, d: (p.astype("f4"), d.astype("f4")),
     lambda p, d: (p.astype("f4"), d),
 ], ids=["both", "points"])
-def test_single_precision(cylinder, change, tmp_path):
+def test_single_precision(cylinder, change):
     points, distances = change(*cylinder)
-    expected = json_of(we.extract(points.astype("f8"), distances.astype("f8")), tmp_path)
-    assert json_of(we.extract(points, distances), tmp_path) == expected
+    expected = json_of(we.extract(points.astype("f8"), distances.astype("f8")))
+    assert json_of(we.extract(points, distances)) == expected
 
 
 @pytest.mark.parametrize("change", [
@@ -148,10 +138,9 @@ def test_single_precision(cylinder, change, tmp_path):
     lambda p, d: (p.astype(">f8"), d.astype(">f8")),
     lambda p, d: (records(p)["position"], records(p, d)["distance"]),
 ], ids=["columns", "part", "reversed", "every third", "mirrored", "lists", "big endian", "unaligned"])
-def test_strides(cylinder, change, tmp_path):
-    expected = json_of(we.extract(*cylinder), tmp_path)
+def test_strides(cylinder, cylinder_json, change):
     points, distances = change(*cylinder)
-    assert json_of(we.extract(points, distances), tmp_path) == expected
+    assert json_of(we.extract(points, distances)) == cylinder_json
 
 
 def records(points, distances=0.0):
@@ -178,9 +167,9 @@ def test_integers():
     assert len(wireframe.vertices) == 8 and wireframe.types.tolist() == ["line"] * 12
 
 
-@pytest.mark.parametrize("threads", [1, 2, 5])
-def test_threads(box, box_wireframe, threads, tmp_path):
-    assert json_of(we.extract(*box, threads=threads), tmp_path) == json_of(box_wireframe, tmp_path)
+@pytest.mark.parametrize("threads", [1, 5])
+def test_threads(box, box_wireframe, threads):
+    assert json_of(we.extract(*box, threads=threads)) == json_of(box_wireframe)
 
 
 def test_result(cylinder):
@@ -209,11 +198,11 @@ def test_progress_that_raises(box):
 
 @pytest.mark.skipif(os.name == "nt", reason="needs signals")
 @pytest.mark.parametrize("work", [
-    lambda: we.estimate_distances(raw_cylinder(300000)),
-    lambda: we.extract(*make_cylinder(3000000)),
-    lambda: we.Extractor(raw_cylinder(300000)).wireframe,
-    lambda: we.extract_many([raw_cylinder(300000)] * 3),
-    lambda: we.extract(*make_cylinder(5000)).distance(np.random.default_rng(7).normal(size=(6000000, 3))),
+    lambda: we.estimate_distances(make_cylinder(30000)[0]),
+    lambda: we.extract(*make_cylinder(500000)),
+    lambda: we.Extractor(make_cylinder(30000)[0]).wireframe,
+    lambda: we.extract_many([make_cylinder(30000)[0]] * 3),
+    lambda: we.extract(*make_cylinder(5000)).distance(np.random.default_rng(7).normal(size=(3000000, 3))),
     lambda: we.extract(CUBE[0], faces=CUBE[1], sampling_distance=0.002),
     lambda: we.read_cloud("large.off", sampling_distance=0.002),
     lambda: we.extract(*make_cylinder(5000)).curves[0].sample(count=10000000),
@@ -228,7 +217,7 @@ def test_interrupt(work, tmp_path, monkeypatch):
     def interrupt():
         stopped_at.append(time.monotonic())
         os.kill(os.getpid(), signal.SIGINT)
-    timer = threading.Timer(0.7, interrupt)
+    timer = threading.Timer(0.5, interrupt)
     timer.start()
     with pytest.raises(KeyboardInterrupt):
         work()
@@ -256,13 +245,13 @@ def test_no_feature():
     assert wireframe.distance([0, 0, 0]).tolist() == [np.inf] and wireframe.sample()[0].shape == (0, 3)
 
 
-def test_skip_invalid(cylinder, tmp_path):
+def test_skip_invalid(cylinder, cylinder_json):
     points, distances = (np.concatenate([array[:1] * np.nan, array]) for array in cylinder)
     with pytest.raises(ValueError, match=r"1 points .* index 0 .* skip_invalid=True"):
         we.extract(points, distances)
     wireframe = we.extract(points, distances, skip_invalid=True)
     assert wireframe.report.number_of_skipped_points == 1
-    assert json_of(wireframe, tmp_path) == json_of(we.extract(*cylinder), tmp_path)
+    assert json_of(wireframe) == cylinder_json
 
 
 def test_library_warnings(cylinder):

@@ -68,10 +68,12 @@ def test_nothing_leaks(data, tmp_path):
     def extract():
         we.extract(points, distances, threads=1)
 
-    for work, number in ((use, 300), (extract, 40)):
+    for work, number in ((use, 1000), (extract, int(os.environ.get("WIREFRAME_EXTRACTION_CALLS", 40)))):
         for _ in range(20):
             work()
         before = memory("VmRSS")
         for _ in range(number):
             work()
-        assert memory("VmRSS") - before < 6e6, work.__name__
+        growth = memory("VmRSS") - before
+        print(f"{number} calls of {work.__name__}(): {growth / 1e6:.2f} MB more")
+        assert growth < 1e6, work.__name__

@@ -5,25 +5,20 @@ import threading
 
 import numpy as np
 import pytest
-from conftest import make_cylinder
+from conftest import json_of, make_cylinder
 
 import wireframe_extraction as we
 
 
-def json_of(wireframe, tmp_path):
-    wireframe.write(tmp_path / "written.json")
-    return (tmp_path / "written.json").read_bytes()
-
-
-def test_same_as_extract(box, box_wireframe, tmp_path):
+def test_same_as_extract(box, box_wireframe):
     extractor = we.Extractor(*box)
-    assert json_of(extractor.wireframe, tmp_path) == json_of(box_wireframe, tmp_path)
+    assert json_of(extractor.wireframe) == json_of(box_wireframe)
 
 
-def test_same_as_extract_without_distances(tmp_path):
-    points = make_cylinder(2500)[0]
+def test_same_as_extract_without_distances(raw_cylinder):
+    points, expected = raw_cylinder
     extractor = we.Extractor(points)
-    assert json_of(extractor.wireframe, tmp_path) == json_of(we.extract(points), tmp_path)
+    assert json_of(extractor.wireframe) == expected
     assert np.array_equal(extractor.distances, we.estimate_distances(points).distances)
 
 
@@ -71,12 +66,12 @@ def test_warnings_come_once(cylinder):
     assert ["large errors" in str(warning.message) for warning in caught] == [True] and caught[0].filename == __file__
 
 
-def test_own_results_in_the_middle(cylinder, tmp_path):
+def test_own_results_in_the_middle(cylinder):
     extractor = we.Extractor(*cylinder, graph_method="subdivided")
-    expected = json_of(we.extract(*cylinder, graph_method="subdivided"), tmp_path)
+    expected = json_of(we.extract(*cylinder, graph_method="subdivided"))
     extractor.corners = extractor.corners
     extractor.clusters = extractor.clusters
-    assert json_of(extractor.wireframe, tmp_path) == expected and len(extractor.wireframe.curves) == 2
+    assert json_of(extractor.wireframe) == expected and len(extractor.wireframe.curves) == 2
     extractor.clusters = [extractor.clusters[0]]
     assert len(extractor.clusters) == extractor.report.number_of_clusters == len(extractor.wireframe.curves) == 1
     extractor.corners = [we.Corner([1, 0, 1], 0.1, [])]
@@ -91,18 +86,18 @@ def test_corners_without_effect(cylinder):
 
 def noisy_cylinder():
     """Return so much noise that the wireframe is that of means."""
-    points = make_cylinder(1200)[0]
+    points = make_cylinder(800)[0]
     return points + np.random.default_rng(1).normal(scale=0.085, size=points.shape)
 
 
-def test_same_as_extract_with_noise(tmp_path):
+def test_same_as_extract_with_noise():
     points = noisy_cylinder()
     with pytest.warns(we.ExtractionWarning, match="their means"):
         expected = we.extract(points)
     extractor = we.Extractor(points)
     with pytest.warns(we.ExtractionWarning, match="their means") as caught:
         wireframe = extractor.wireframe
-    assert json_of(wireframe, tmp_path) == json_of(expected, tmp_path)
+    assert json_of(wireframe) == json_of(expected)
     assert len(caught) == 1 and caught[0].filename == __file__
     assert wireframe.sampling_distance > extractor.sampling_distance
     with pytest.warns(we.ExtractionWarning, match="their means"):
@@ -116,17 +111,15 @@ def test_same_report_as_extract(cylinder):
     assert different == {"seconds"} and report.seconds
 
 
-def test_large_cloud_without_distances(tmp_path):
-    points = make_cylinder(2500)[0]
-    extractor = we.Extractor(points, points_in_memory=1000)
+def test_large_cloud_without_distances(raw_cylinder):
+    points, expected = raw_cylinder
+    extractor = we.Extractor(points, points_in_memory=500)
     assert extractor.sampling_distance == we.Extractor(points).sampling_distance
-    expected = json_of(we.extract(points, points_in_memory=1000), tmp_path)
-    assert json_of(extractor.wireframe, tmp_path) == expected
+    assert json_of(extractor.wireframe) == expected
 
 
-def test_stopped_stages_leave_nothing(tmp_path):
-    points = make_cylinder(2500)[0]
-    expected = json_of(we.extract(points), tmp_path)
+def test_stopped_stages_leave_nothing(raw_cylinder):
+    points, expected = raw_cylinder
     stopped = []
 
     def progress(share):
@@ -139,29 +132,28 @@ def test_stopped_stages_leave_nothing(tmp_path):
     for _ in range(9):
         with pytest.raises(KeyError, match="enough"):
             extractor.wireframe
-    assert len(stopped) == 9 and json_of(extractor.wireframe, tmp_path) == expected
+    assert len(stopped) == 9 and json_of(extractor.wireframe) == expected
 
 
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="needs signals")
-def test_interrupted_stages_leave_nothing(tmp_path):
-    points = make_cylinder(2500)[0]
+def test_interrupted_stages_leave_nothing(raw_cylinder):
+    points, expected = raw_cylinder
     extractor = we.Extractor(points)
 
     def stop(number, frame):
         raise KeyError("enough")
     previous = signal.signal(signal.SIGALRM, stop)
     try:   # within the estimate, which takes most of the time
-        signal.setitimer(signal.ITIMER_REAL, 0.15)
+        signal.setitimer(signal.ITIMER_REAL, 0.1)
         with pytest.raises(KeyError, match="enough"):
             extractor.wireframe
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, previous)
-    assert json_of(extractor.wireframe, tmp_path) == json_of(we.extract(points), tmp_path)
+    assert json_of(extractor.wireframe) == expected
 
 
-def test_many_threads(cylinder, tmp_path):
-    expected = json_of(we.extract(*cylinder), tmp_path)
+def test_many_threads(cylinder, cylinder_json):
     for _ in range(5):
         extractor = we.Extractor(*cylinder, threads=1)
         failures = []
@@ -176,7 +168,7 @@ def test_many_threads(cylinder, tmp_path):
             thread.start()
         for thread in threads:
             thread.join()
-        assert not failures and json_of(extractor.wireframe, tmp_path) == expected
+        assert not failures and json_of(extractor.wireframe) == cylinder_json
 
 
 def test_progress_that_asks(cylinder):
@@ -185,7 +177,7 @@ def test_progress_that_asks(cylinder):
         extractor.wireframe
 
 
-def test_own_copy_of_the_cloud(cylinder, tmp_path):
+def test_own_copy_of_the_cloud(cylinder, cylinder_json):
     points, distances = (array.copy() for array in cylinder)
     extractor = we.Extractor(points, distances)
     assert "done: nothing" in repr(extractor) and extractor.report == we.Report()
@@ -193,7 +185,7 @@ def test_own_copy_of_the_cloud(cylinder, tmp_path):
     assert repr(extractor) == "<Extractor: 5000 points with distances; done: measure>"
     points *= 2
     distances[:] = 0
-    assert json_of(extractor.wireframe, tmp_path) == json_of(we.extract(*cylinder), tmp_path)
+    assert json_of(extractor.wireframe) == cylinder_json
 
 
 def test_smooth_surface():
