@@ -233,6 +233,59 @@ void test_candidates_that_occur_twice()
   assert(different.size() > 0.8 * double(values.size()) * (1. - std::exp(-1.)));
 }
 
+// Of the points of one bin, the one with a distance of its own that is nearest to a place, on either side; a position that
+// occurs again changes nothing; and there is no negative zero.
+void test_similar_points()
+{
+  Similar_points points;
+  points.ranks = {2};
+  points.number_of_points = 3;
+  points.add(Vector(1., 0., 0.), 0.5, 0);
+  points.add(Vector(1., 0., 0.), 0.5, 7);
+  assert(points.size() == 1 && points[0].index == 0 && points.nearest_clear_one(0) == 0);
+  points.add(Vector(2., 0., 0.), 0.75, 1);
+  points.add(Vector(3., 0., 0.), 0.75, 2);
+  assert(points.size() == 3);
+  for (std::size_t place = 0; place < 3; ++place)
+    assert(points.nearest_clear_one(place) == 0);
+  points.add(Vector(4., 0., 0.), 0.875, 3);
+  assert(points.nearest_clear_one(1) == 0 && points.nearest_clear_one(2) == 3);
+
+  Cloud_values zeros;
+  for (int i = 0; i < 8; ++i)
+    zeros.add(Vector(i, 0., 0.), i % 2 == 0 ? 0. : -0., std::size_t(i));
+  const Cloud_values chosen = candidates_of(zeros, {0, 1, 2, 3, 4, 5, 6, 7}).chosen(1);
+  assert(chosen.size() == 8);
+  for (double distance : chosen.distances)
+    assert(!std::signbit(distance));
+}
+
+// What was left out of a bin with many distances does not come back with another point: that would seem to be clear.
+void test_distances_that_were_left_out()
+{
+  std::vector<std::pair<Vector, double>> samples;
+  for (int i = 0; i < 600; ++i)
+    for (int j = 0; j < 2; ++j)
+      samples.emplace_back(Vector(i, j, 0.), 1. + 1e-9 * i);
+  std::set<double> kept;
+  for (int order = 0; order < 4; ++order)
+  {
+    Similar_points points;
+    points.ranks = {5};
+    points.number_of_points = samples.size();
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      points.add(samples[i].first, samples[i].second, i);
+    assert(points.size() > 250 && points.size() <= 256);
+    assert(points.nearest_clear_one(points.size() / 2) == points.size());
+    std::set<double> distances;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      distances.insert(points[i].distance);
+    assert(order == 0 || distances == kept);
+    kept = distances;
+    std::shuffle(samples.begin(), samples.end(), std::mt19937(unsigned(order)));
+  }
+}
+
 // Neighbor_scan ---------------------------------------------------------------------------------------
 
 // It finds what a search in a tree of all points finds, whatever it starts with and in whatever order points come.
@@ -292,6 +345,8 @@ int main()
   test_ambiguous_candidates();
   test_candidates_of_coarse_fields();
   test_candidates_that_occur_twice();
+  test_similar_points();
+  test_distances_that_were_left_out();
   test_neighbor_scan();
   test_neighbors_of_duplicates();
   return 0;
