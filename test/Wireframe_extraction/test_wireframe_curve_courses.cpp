@@ -368,8 +368,14 @@ void test_closed_curve()
         curves[0].vertices = {{Untyped_curve::no_vertex, Untyped_curve::no_vertex}};
       const Recognized_pieces found = recognize_pieces(field, options, {outline.front()}, curves, {});
       assert(found.pieces.size() == 4 && found.regularities.empty());
+      std::size_t support = 0;
+      for (const Typed_piece& piece : found.pieces)
+        support += piece.support;
       for (std::size_t i = 0; i < 4; ++i)
       {
+        // as much of the support as of the length, also of the piece in which the curve starts
+        const double share = (found.pieces[i].range[1] - found.pieces[i].range[0]) / (40. + 12. * pi);
+        assert(double(found.pieces[i].support) > 0.7 * share * double(support));
         const Typed_piece &piece = found.pieces[i], &next = found.pieces[(i + 1) % 4];
         assert(piece.is_primitive && !piece.is_whole && piece.curve == 0 && piece.support > 20);
         assert(piece.shape.kind != next.shape.kind && piece.vertices[1] == next.vertices[0]);
@@ -446,6 +452,55 @@ void test_line_and_arc()
   assert(std::abs(arc.shape.major_radius - 10.) < 0.2);
 }
 
+// Points that the field is plainly wrong about say nothing of how well a curve fits.
+void test_residuals_of_outliers()
+{
+  Polyline line;
+  for (double x = 0.; x < 40.; x += 0.1)
+    line.push_back(Vector(x, 0., 0.));
+  const Skeleton_data field = field_around(line);
+  auto band = std::make_shared<Field_band>();
+  band->points = field.band->points;
+  band->distances = field.band->distances;
+  band->indices = field.band->indices;
+  for (std::size_t i = 0; i < band->size(); i += 9)
+    band->distances[i] = std::abs(2.5 - band->distances[i]);
+  complete_band(*band, 1.5);
+  Skeleton_data wrong;
+  wrong.band = band;
+  const Recognized_pieces found = recognized(wrong, line, 0.05, false);
+  assert(found.pieces.size() == 1 && found.pieces[0].is_primitive);
+  assert(found.pieces[0].support > 100 && found.pieces[0].maximum_deviation <= residual_cutoff(0.05));
+}
+
+// A spline that is cut from a line goes on in its direction, whichever way the curve runs.
+void test_tangents_of_splines()
+{
+  Polyline curve;
+  for (double s = 0.; s < 20.; s += 0.1)
+    curve.push_back(Vector(s, 0., 0.));
+  for (double s = 0.; s < 40.; s += 0.1) // turns more and more, out of the plane
+    curve.push_back(Vector(20. + s - 0.004 * s * s, 0.004 * s * s * s / 3., 0.0006 * s * s * s));
+  for (const bool is_reversed : {false, true})
+  {
+    if (is_reversed)
+      std::reverse(curve.begin(), curve.end());
+    const Recognized_pieces found = recognized(field_around(curve), curve, 0.02, false);
+    std::size_t checked = 0;
+    for (std::size_t i = 1; i < found.pieces.size(); ++i)
+    {
+      const Typed_piece &before = found.pieces[i - 1], &after = found.pieces[i];
+      const Typed_piece &line = is_reversed ? after : before, &spline = is_reversed ? before : after;
+      if (!line.is_primitive || line.shape.kind != Primitive_kind::LINE || spline.is_primitive)
+        continue;
+      ++checked;
+      const Vector onward = is_reversed ? Vector(-Vector::UnitX()) : Vector(Vector::UnitX());
+      assert(spline.end_tangents[is_reversed ? 1 : 0].dot(onward) > 0.99);
+    }
+    assert(checked == 1);
+  }
+}
+
 } // namespace
 
 int main()
@@ -458,5 +513,7 @@ int main()
   test_regularizing();
   test_line_and_arc();
   test_cancelling();
+  test_residuals_of_outliers();
+  test_tangents_of_splines();
   return 0;
 }
