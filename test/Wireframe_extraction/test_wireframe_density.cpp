@@ -233,8 +233,8 @@ void test_candidates_that_occur_twice()
   assert(different.size() > 0.8 * double(values.size()) * (1. - std::exp(-1.)));
 }
 
-// Of the points of one bin, the one with a distance of its own that is nearest to a place, on either side; a position that
-// occurs again changes nothing; and there is no negative zero.
+// Of the points of one bin, the one with a distance of its own that is nearest to a place, on either side; a position
+// that occurs again changes nothing; and there is no negative zero.
 void test_similar_points()
 {
   Similar_points points;
