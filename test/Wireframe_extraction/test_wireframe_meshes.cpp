@@ -351,6 +351,24 @@ void test_errors()
   refuse(box, {"1e-06", "50 million"}, parameters::sampling_distance(1e-6));
 }
 
+// Stopped anywhere, it leaves the cloud as it was; not stopped, it tells shares that grow.
+void test_cancelling()
+{
+  const Sample_mesh box = prism_mesh(rectangle_outline(2., 1.), 0., 0.7);
+  double last = -1.;
+  const auto watch = [&last](double share) {
+    assert(share >= last && share <= 1.);
+    last = share;
+    return true;
+  };
+  Report report;
+  sample(box, report, parameters::callback(std::function<bool(double)>(watch)));
+  assert(last > 0.9);
+  for (double share : {0., 0.5, 0.95})
+    refuse(box, {"cancelled"},
+           parameters::callback(std::function<bool(double)>([share](double done) { return done < share; })));
+}
+
 // other kernels, ranges and numbers
 void test_types()
 {
@@ -384,6 +402,7 @@ int main()
   test_kinds();
   test_kinds_of_open_meshes();
   test_errors();
+  test_cancelling();
   test_types();
   test_wireframe();
   return 0;
