@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Tests how the source is laid out: that includes point downwards, that include guards equal paths, that C++ looks as
-.clang-format says, that no line is too long, and that members have the names of members.
+"""Tests how the source is laid out: that includes point downwards, that none is missing of what is compiled before, that
+include guards equal paths, that C++ looks as .clang-format says, that no line is too long, and that members have the names
+of members.
 
 usage: test_wireframe_layout.py ROOT [options of unittest]
 """
@@ -39,6 +40,43 @@ WITHOUT_GUARD = ("CGAL/Wireframe_extraction/internal/options/parameters_interfac
 CLANG_FORMAT_VERSION = 14
 MOST_COLUMNS = 120   # as in .clang-format
 
+# What the headers of the standard library give that a header of ours has to include by itself: headers_self_contained,
+# which compiles each alone, has these precompiled.
+STANDARD = {
+    "algorithm": "all_of any_of binary_search clamp copy copy_if count_if equal fill find find_if for_each lower_bound max "
+                 "max_element min min_element minmax minmax_element none_of nth_element partition remove remove_if reverse "
+                 "rotate set_difference set_intersection sort stable_sort transform unique upper_bound",
+    "array": "array", "atomic": "atomic", "bitset": "bitset", "chrono": "chrono",
+    "cmath": "abs acos asin atan atan2 cbrt ceil cos exp floor fmod hypot isfinite isinf isnan log log2 pow round sin "
+             "sqrt tan",
+    "cstddef": "nullptr_t ptrdiff_t size_t",
+    "cstdint": "int32_t int64_t int8_t uint16_t uint32_t uint64_t uint8_t",
+    "cstdlib": "getenv strtod strtol", "cstring": "memcpy memset strerror strlen", "deque": "deque",
+    "exception": "current_exception exception exception_ptr rethrow_exception", "filesystem": "filesystem",
+    "fstream": "fstream ifstream ofstream", "functional": "function greater hash less ref",
+    "iomanip": "setfill setprecision setw", "iostream": "cerr cin cout",
+    "iterator": "advance back_inserter distance iterator_traits make_move_iterator next prev",
+    "limits": "numeric_limits", "map": "map multimap", "memory": "make_shared make_unique shared_ptr unique_ptr weak_ptr",
+    "mutex": "lock_guard mutex", "new": "bad_alloc", "numeric": "accumulate inner_product iota partial_sum",
+    "optional": "nullopt optional", "queue": "priority_queue queue", "random": "mt19937 mt19937_64", "set": "multiset set",
+    "sstream": "istringstream ostringstream stringstream",
+    "stdexcept": "invalid_argument logic_error out_of_range runtime_error", "string": "stod stoi string to_string",
+    "string_view": "string_view", "thread": "thread", "tuple": "forward_as_tuple tie tuple",
+    "type_traits": "conditional_t decay_t enable_if enable_if_t false_type is_convertible is_same is_same_v true_type",
+    "unordered_map": "unordered_map", "unordered_set": "unordered_set",
+    "utility": "declval exchange forward index_sequence make_pair move pair swap",
+    "variant": "get_if monostate variant visit", "vector": "vector",
+}
+HEADER_OF = {name: header for header, names in STANDARD.items() for name in names.split()}
+# The same for other libraries, of which a header of ours in between may include it.
+OTHERS = (
+    (r"\bEigen::", r"Eigen/|ceres/"),
+    (r"\bboost::(adjacency_list|graph_traits|add_edge|vertices|edges|out_edges)\b", r"boost/graph/"),
+    (r"\bsmall_vector\b", r"boost/container/small_vector\.hpp"),
+    (r"\bSimple_cartesian\b", r"CGAL/Simple_cartesian\.h"),
+    (r"\b(get_parameter|choose_parameter|Named_function_parameters)\b", r"CGAL/Named_function_parameters\.h"),
+)
+
 
 def includes_of(path):
     """Pairs of a line number and a header of this library, as it is included."""
@@ -66,6 +104,9 @@ class Library:
         self.sources = sorted((root / "Wireframe_extraction/src").glob("*.cpp"))
         paths = sorted(self.folder.rglob("*.h"))
         self.headers = {path.relative_to(self.folder).as_posix(): list(includes_of(path)) for path in paths}
+        self.includes_of_others = {
+            path.relative_to(self.folder).as_posix(): set(re.findall(r"#\s*include <([^>]+)>", path.read_text(encoding="utf-8")))
+            for path in paths}
         for header, includes in self.headers.items():
             self.headers[header] = [(number, name) for number, name in includes if name in self.headers]
 
@@ -151,12 +192,36 @@ class Library:
             if f"#ifndef {guard}\n#define {guard}\n" not in text or not text.endswith(f"#endif // {guard}\n"):
                 yield f"{self.place(header, 1)}: its include guard has to be {guard}, also behind its #endif"
 
+    def own_header(self, header):
+        """Of an implementation, the header that includes it."""
+        return header.replace("_impl.h", ".h") if header.endswith("_impl.h") else header
+
+    def reached(self, header, visited):
+        """All that a header includes, itself and through others of ours."""
+        if header not in visited:
+            visited.add(header)
+            yield from self.includes_of_others[header]
+            for _, name in self.headers[header]:
+                yield from self.reached(name, visited)
+
+    def missing_includes(self):
+        for header in self.headers:
+            text = re.sub(r"//[^\n]*", "", (self.folder / header).read_text(encoding="utf-8"))
+            given = self.includes_of_others[header] | self.includes_of_others.get(self.own_header(header), set())
+            missing = {HEADER_OF[name]: "std::" + name for name in re.findall(r"\bstd::(\w+)", text) if name in HEADER_OF}
+            for name in sorted(set(missing) - given):
+                yield f"{self.place(header, 1)}: lacks #include <{name}>, for {missing[name]}"
+            for pattern, provider in OTHERS:
+                used = re.search(pattern, text)
+                if used and not any(re.match(provider, name) for name in self.reached(self.own_header(header), set())):
+                    yield f"{self.place(header, 1)}: lacks an include of {provider}, for {used[0]}"
+
     def problems(self):
         problems = list(self.unknown_groups())
         if problems:
             return problems
         for check in (self.rising_includes, self.circles, self.stray_implementations, self.uncompiled_implementations,
-                      self.wrong_guards):
+                      self.wrong_guards, self.missing_includes):
             problems += check()
         return problems
 
@@ -350,6 +415,19 @@ class Planted_test(unittest.TestCase):
                         "public:\n  int g;\n\nprivate:\n  const std::string& h;\n};\nstruct B\n{\n  int i;\n};\n")
         self.assertEqual([2], list(long_lines(path)))
         self.assertEqual(["b", "c", "e", "h"], [name for _, name in badly_named_members(path)])
+
+    def test_missing_includes(self):
+        for word, lacking in (("std::deque<int> planted();", "<deque>"), ("std::size_t planted();", "<cstddef>"),
+                              ("Eigen::Vector3d planted();", "Eigen/"), ("// std::deque", None)):
+            with self.subTest(word):
+                self.plant("internal/base/Planted.h")
+                path = self.package / "internal/base/Planted.h"
+                path.write_text(path.read_text().replace("#endif", f"{word}\n#endif"))
+                if lacking:
+                    self.check_found("internal/base/Planted.h:1", "lacks", lacking)
+                else:
+                    self.assertEqual([], Library(self.root).problems())
+                path.unlink()
 
     def test_layout(self):
         program = find_clang_format()

@@ -21,6 +21,9 @@
 #include <CGAL/Wireframe_extraction/internal/pipeline/extracted_wireframe.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
+#include <cstddef>
+#include <functional>
+
 namespace CGAL {
 
 /*!

@@ -17,6 +17,7 @@
 #include <CGAL/Wireframe_extraction/internal/network/detect_corners.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
 
+#include <functional>
 #include <vector>
 
 namespace CGAL {

@@ -18,6 +18,8 @@
 
 #include <CGAL/tags.h>
 
+#include <functional>
+
 namespace CGAL {
 namespace Wireframe_extraction {
 

@@ -17,6 +17,9 @@
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/measured_sampling_distance.h>
 
+#include <cstddef>
+#include <functional>
+
 namespace CGAL {
 namespace Wireframe_extraction {
 

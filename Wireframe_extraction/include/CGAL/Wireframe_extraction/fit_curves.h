@@ -19,6 +19,8 @@
 #include <CGAL/Wireframe_extraction/internal/fit/fit.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
 
+#include <functional>
+
 namespace CGAL {
 namespace Wireframe_extraction {
 

@@ -17,6 +17,8 @@
 #include <CGAL/Wireframe_extraction/internal/field/refine.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
 
+#include <functional>
+
 namespace CGAL {
 namespace Wireframe_extraction {
 

@@ -18,6 +18,7 @@
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL {

@@ -18,6 +18,9 @@
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/selected_skeleton.h>
 
+#include <cstddef>
+#include <functional>
+
 namespace CGAL {
 namespace Wireframe_extraction {
 

@@ -20,6 +20,7 @@
 #include <CGAL/Wireframe_extraction/IO/internal/mesh/mesh_formats.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <fstream>
 #include <istream>
@@ -27,6 +28,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
