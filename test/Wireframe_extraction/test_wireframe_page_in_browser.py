@@ -199,7 +199,8 @@ class Browser_test(Program_test):
 
     def test_large_cloud(self):
         """However slow the computer, a million points can be turned, and more of them come at rest."""
-        browser = self.open(self.page_of("large.ply", "slotted_plate", "--points", 1000000, "--field", "exact"))
+        browser = self.open(self.page_of("large.ply", "slotted_plate", "--points", 1000000, "--field", "exact",
+                                          "--sampling", "uniform"))   # which are made in a moment
         self.assertEqual(browser.evaluate("wireframe.view.numberOfPoints"), 1000000)
         browser.wait_for("!wireframe.view.isBusy && wireframe.view.hasDrawn")
         for _ in range(5):   # by then it is known how many can be drawn

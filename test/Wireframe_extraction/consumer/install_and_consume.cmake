@@ -1,6 +1,7 @@
 # Installs the build in `binary_folder` below `work_folder`, then configures, builds and runs the consumer
 # against it. The prefix has a space in its name, as users' folders do. With `cpack` and `dpkg_deb`, what is
-# installed comes out of the Debian package; with `has_tool`, the tool's package is looked at, too.
+# installed comes out of the Debian package; with `has_tool`, the tool's package is looked at, too. With `is_packed` that is
+# tested, too, and what was compiled there is not compiled again.
 set(prefix "${work_folder}/prefix")
 set(consumer_folder "${work_folder}/build")
 file(REMOVE_RECURSE "${work_folder}")
@@ -13,6 +14,9 @@ foreach(library IN ITEMS occt hdf5 zlib)
     set(has_no_${library} ON)
   endif()
 endforeach()
+
+set(program_of_core core_consumer)
+set(program_of_occt cad_consumer)
 
 function(run_or_fail)
   execute_process(COMMAND ${ARGN} WORKING_DIRECTORY "${work_folder}" RESULT_VARIABLE result)
@@ -100,6 +104,13 @@ run_or_fail("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}" -B "${consumer_fol
 set(targets)
 if(cpack) # the other programs would tell nothing new
   set(targets --target consumer)
+elseif(is_packed) # and here it is this one
+  set(targets --target input_consumer)
+  foreach(library IN ITEMS core occt)
+    if(expects_${library})
+      list(APPEND targets ${program_of_${library}})
+    endif()
+  endforeach()
 endif()
 run_or_fail("${CMAKE_COMMAND}" --build "${consumer_folder}" ${configuration_arguments} ${targets})
 
@@ -110,13 +121,15 @@ if(position EQUAL -1)
   message(FATAL_ERROR "the consumer did not find the installed package: ${found}")
 endif()
 
-file(GLOB_RECURSE programs "${work_folder}/bin/consumer*")
-list(FILTER programs INCLUDE REGEX "consumer(\\.exe)?$")
-list(LENGTH programs number_of_programs)
-if(NOT number_of_programs EQUAL 1)
-  message(FATAL_ERROR "expected one program, found: ${programs}")
+if(cpack OR NOT is_packed)
+  file(GLOB_RECURSE programs "${work_folder}/bin/consumer*")
+  list(FILTER programs INCLUDE REGEX "consumer(\\.exe)?$")
+  list(LENGTH programs number_of_programs)
+  if(NOT number_of_programs EQUAL 1)
+    message(FATAL_ERROR "expected one program, found: ${programs}")
+  endif()
+  run_or_fail(${programs})
 endif()
-run_or_fail(${programs})
 if(cpack)
   return()
 endif()
