@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Tests how the source is laid out: that includes point downwards, that none is missing of what is compiled before, that
-include guards equal paths, that C++ looks as .clang-format says, that no line is too long, and that members have the names
-of members.
+"""Tests how the source is laid out: that includes point downwards, that none is missing of what is compiled before,
+that include guards equal paths, that C++ looks as .clang-format says, that no line is too long, and that members have
+the names of members.
 
 usage: test_wireframe_layout.py ROOT [options of unittest]
 """
@@ -43,9 +43,9 @@ MOST_COLUMNS = 120   # as in .clang-format
 # What the headers of the standard library give that a header of ours has to include by itself: headers_self_contained,
 # which compiles each alone, has these precompiled.
 STANDARD = {
-    "algorithm": "all_of any_of binary_search clamp copy copy_if count_if equal fill find find_if for_each lower_bound max "
-                 "max_element min min_element minmax minmax_element none_of nth_element partition remove remove_if reverse "
-                 "rotate set_difference set_intersection sort stable_sort transform unique upper_bound",
+    "algorithm": "all_of any_of binary_search clamp copy copy_if count_if equal fill find find_if for_each lower_bound "
+                 "max max_element min min_element minmax minmax_element none_of nth_element partition remove remove_if "
+                 "reverse rotate set_difference set_intersection sort stable_sort transform unique upper_bound",
     "array": "array", "atomic": "atomic", "bitset": "bitset", "chrono": "chrono",
     "cmath": "abs acos asin atan atan2 cbrt ceil cos exp floor fmod hypot isfinite isinf isnan log log2 pow round sin "
              "sqrt tan",
@@ -58,11 +58,12 @@ STANDARD = {
     "iterator": "advance back_inserter distance iterator_traits make_move_iterator next prev",
     "limits": "numeric_limits", "map": "map multimap", "memory": "make_shared make_unique shared_ptr unique_ptr weak_ptr",
     "mutex": "lock_guard mutex", "new": "bad_alloc", "numeric": "accumulate inner_product iota partial_sum",
-    "optional": "nullopt optional", "queue": "priority_queue queue", "random": "mt19937 mt19937_64", "set": "multiset set",
-    "sstream": "istringstream ostringstream stringstream",
+    "optional": "nullopt optional", "queue": "priority_queue queue", "random": "mt19937 mt19937_64",
+    "set": "multiset set", "sstream": "istringstream ostringstream stringstream",
     "stdexcept": "invalid_argument logic_error out_of_range runtime_error", "string": "stod stoi string to_string",
     "string_view": "string_view", "thread": "thread", "tuple": "forward_as_tuple tie tuple",
-    "type_traits": "conditional_t decay_t enable_if enable_if_t false_type is_convertible is_same is_same_v true_type",
+    "type_traits": "conditional_t decay_t enable_if enable_if_t false_type is_convertible is_same is_same_v "
+                   "true_type",
     "unordered_map": "unordered_map", "unordered_set": "unordered_set",
     "utility": "declval exchange forward index_sequence make_pair move pair swap",
     "variant": "get_if monostate variant visit", "vector": "vector",
@@ -105,8 +106,8 @@ class Library:
         paths = sorted(self.folder.rglob("*.h"))
         self.headers = {path.relative_to(self.folder).as_posix(): list(includes_of(path)) for path in paths}
         self.includes_of_others = {
-            path.relative_to(self.folder).as_posix(): set(re.findall(r"#\s*include <([^>]+)>", path.read_text(encoding="utf-8")))
-            for path in paths}
+            path.relative_to(self.folder).as_posix():
+                set(re.findall(r"#\s*include <([^>]+)>", path.read_text(encoding="utf-8"))) for path in paths}
         for header, includes in self.headers.items():
             self.headers[header] = [(number, name) for number, name in includes if name in self.headers]
 
@@ -208,7 +209,8 @@ class Library:
         for header in self.headers:
             text = re.sub(r"//[^\n]*", "", (self.folder / header).read_text(encoding="utf-8"))
             given = self.includes_of_others[header] | self.includes_of_others.get(self.own_header(header), set())
-            missing = {HEADER_OF[name]: "std::" + name for name in re.findall(r"\bstd::(\w+)", text) if name in HEADER_OF}
+            missing = {HEADER_OF[name]: "std::" + name for name in re.findall(r"\bstd::(\w+)", text)
+                       if name in HEADER_OF}
             for name in sorted(set(missing) - given):
                 yield f"{self.place(header, 1)}: lacks #include <{name}>, for {missing[name]}"
             for pattern, provider in OTHERS:
