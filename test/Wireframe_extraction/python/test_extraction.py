@@ -198,10 +198,10 @@ def test_progress_that_raises(box):
 
 @pytest.mark.skipif(os.name == "nt", reason="needs signals")
 @pytest.mark.parametrize("work", [
-    lambda: we.estimate_distances(make_cylinder(30000)[0]),
-    lambda: we.extract(*make_cylinder(500000)),
-    lambda: we.Extractor(make_cylinder(30000)[0]).wireframe,
-    lambda: we.extract_many([make_cylinder(30000)[0]] * 3),
+    lambda: we.estimate_distances(make_cylinder(200000)[0]),
+    lambda: we.extract(*make_cylinder(2000000)),
+    lambda: we.Extractor(make_cylinder(200000)[0]).wireframe,
+    lambda: we.extract_many([make_cylinder(200000)[0]] * 3),
     lambda: we.extract(*make_cylinder(5000)).distance(np.random.default_rng(7).normal(size=(3000000, 3))),
     lambda: we.extract(CUBE[0], faces=CUBE[1], sampling_distance=0.002),
     lambda: we.read_cloud("large.off", sampling_distance=0.002),

@@ -138,13 +138,13 @@ def test_stopped_stages_leave_nothing(raw_cylinder):
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="needs signals")
 def test_interrupted_stages_leave_nothing(raw_cylinder):
     points, expected = raw_cylinder
-    extractor = we.Extractor(points)
+    extractor = we.Extractor(points, threads=1)
 
     def stop(number, frame):
         raise KeyError("enough")
     previous = signal.signal(signal.SIGALRM, stop)
     try:   # within the estimate, which takes most of the time
-        signal.setitimer(signal.ITIMER_REAL, 0.1)
+        signal.setitimer(signal.ITIMER_REAL, 0.05)
         with pytest.raises(KeyError, match="enough"):
             extractor.wireframe
     finally:
