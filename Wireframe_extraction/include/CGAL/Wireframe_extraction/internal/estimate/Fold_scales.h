@@ -81,8 +81,9 @@ struct Fold_scales
   std::size_t least_votes;
   double sheet_radius;              // of the balls in which sheets are fitted
   double plane_radius, plane_reach; // of those in which planes are, and how far away planes are taken from
-  double radii_of_ends[number_of_radii_for_ends],
-    radius_of_margin; // of those in which two sheets are compared; the smallest that tells counts
+  double
+    radii_of_ends[number_of_radii_for_ends]; // of those that tell whether sheets end; the smallest that does counts
+  double radius_of_margin;                   // of those in which two sheets are compared with one
 
   explicit Fold_scales(double noise)
   {

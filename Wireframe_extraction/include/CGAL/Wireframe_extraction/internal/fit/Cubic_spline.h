@@ -119,6 +119,17 @@ public:
 
   Vector at(double u) const { return combine(basis(u)); }
 
+  // Parameters from end to end, evenly spaced: so many steps for each unit of the parameter, and `least` at least.
+  std::vector<double> even_parameters(double steps_per_unit, std::size_t least) const
+  {
+    const double length = back() - front();
+    const std::size_t count = (std::max)(least, static_cast<std::size_t>(steps_per_unit * length));
+    std::vector<double> result;
+    for (std::size_t k = 0; k <= count; ++k)
+      result.push_back(front() + length * double(k) / double(count));
+    return result;
+  }
+
   // Newton steps from a parameter that is close
   double foot(const Vector& p, double u) const
   {

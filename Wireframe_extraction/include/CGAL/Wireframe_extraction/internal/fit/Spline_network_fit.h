@@ -232,14 +232,9 @@ private:
     for (std::size_t c = 0; c < m_curves.size(); ++c)
     {
       const Cubic_spline& spline = m_curves[c].spline;
-      const double length = spline.back() - spline.front();
-      const std::size_t count =
-        (std::max)(least_samples_of_spline, static_cast<std::size_t>(samples_of_spline * length));
-      for (std::size_t k = 0; k <= count; ++k)
-      {
-        parameters[c].push_back(spline.front() + length * double(k) / double(count));
-        polylines[c].push_back(spline.at(parameters[c].back()));
-      }
+      parameters[c] = spline.even_parameters(samples_of_spline, least_samples_of_spline);
+      for (double t : parameters[c])
+        polylines[c].push_back(spline.at(t));
     }
     const std::vector<Polyline_foot> feet =
       nearest_feet(m_band, pointers_to(polylines), m_options.support_distance + search_margin, &progress);
@@ -503,15 +498,9 @@ private:
   bool has_left(std::size_t c) const
   {
     const Cubic_spline &spline = m_curves[c].spline, &given = m_courses[c]; // over the same parameters
-    const double length = spline.back() - spline.front();
-    const std::size_t count = (std::max)(least_samples_of_spline, static_cast<std::size_t>(samples_of_spline * length));
-    for (std::size_t k = 0; k <= count; ++k)
-    {
-      const double t = spline.front() + length * double(k) / double(count);
-      if (has_left(spline.at(t), given.at(t)))
-        return true;
-    }
-    return false;
+    const std::vector<double> parameters = spline.even_parameters(samples_of_spline, least_samples_of_spline);
+    return std::any_of(parameters.begin(), parameters.end(),
+                       [&](double t) { return has_left(spline.at(t), given.at(t)); });
   }
 
   // Where a robust loss has lost all points, nothing holds a curve any more: it goes back. The ends are at the

@@ -134,11 +134,9 @@ private:
 
   static Polyline sample(const Cubic_spline& spline)
   {
-    const double length = spline.back() - spline.front();
-    const std::size_t count = (std::max)(least_samples, static_cast<std::size_t>(samples_per_length * length));
     Polyline result;
-    for (std::size_t k = 0; k <= count; ++k)
-      result.push_back(spline.at(spline.front() + length * double(k) / double(count)));
+    for (double t : spline.even_parameters(samples_per_length, least_samples))
+      result.push_back(spline.at(t));
     return result;
   }
 };

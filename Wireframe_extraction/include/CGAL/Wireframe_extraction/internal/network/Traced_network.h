@@ -273,10 +273,9 @@ private:
   static void sample(const Cubic_spline& spline, Network_curve& curve)
   {
     const double length = spline.back() - spline.front();
-    const std::size_t count = (std::max)(least_samples, static_cast<std::size_t>(samples_per_length * length));
     curve.points.clear();
-    for (std::size_t k = 0; k <= count; ++k)
-      curve.points.push_back(spline.at(spline.front() + length * double(k) / double(count)));
+    for (double t : spline.even_parameters(samples_per_length, least_samples))
+      curve.points.push_back(spline.at(t));
     if (curve.is_closed_without_node())
     {
       curve.points.back() = curve.points.front();
