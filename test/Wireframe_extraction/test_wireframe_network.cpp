@@ -697,9 +697,11 @@ Skeleton_data boxes(std::size_t number, double size, std::mt19937& random)
 
 // Runs `work(proceed)` to its end, then cancels it after every so many calls. There must be calls all the time; after
 // the refusal none, and nothing but a small share of the work. Time is that of the processor, since others use it too.
+// On a busy machine a thread that waits for one which is not running uses it as well: a refusal may be tried again.
 template <class Work, class Check>
 void check_cancelling(const Work& work, const Check& check)
 {
+  static constexpr int attempts = 3;
   const auto now = [] { return double(std::clock()) / CLOCKS_PER_SEC; };
   std::size_t calls = 0;
   double longest_pause = 0., last_share = 0., last_call = now();
@@ -720,18 +722,23 @@ void check_cancelling(const Work& work, const Check& check)
   for (std::size_t k = 0; k <= 12; ++k)
   {
     const std::size_t most = 1 + k * (calls - 2) / 12;
-    std::size_t made = 0;
-    double refused = 0.;
-    const auto result = work([&](double) {
-      assert(made < most);
-      if (++made < most)
-        return true;
-      refused = now();
-      return false;
-    });
-    assert(made == most);
-    assert(now() - refused < 0.1 * all);
-    check(result, false);
+    double shortest_return = all;
+    for (int attempt = 0; attempt < attempts && !(shortest_return < 0.1 * all); ++attempt)
+    {
+      std::size_t made = 0;
+      double refused = 0.;
+      const auto result = work([&](double) {
+        assert(made < most);
+        if (++made < most)
+          return true;
+        refused = now();
+        return false;
+      });
+      shortest_return = (std::min)(shortest_return, now() - refused);
+      assert(made == most);
+      check(result, false);
+    }
+    assert(shortest_return < 0.1 * all);
   }
 }
 
