@@ -35,12 +35,14 @@ tool::Input input_of(const py::dict& values)
   read(values, "distances", input.distances);
   input.has_distances = values.contains("distances");
   read(values, "patches", input.are_patches);
+  read(values, "coordinate_properties", input.coordinate_properties);
   read(values, "distance_property", input.distance_property);
   read(values, "points_dataset", input.points_dataset);
   read(values, "distances_dataset", input.distances_dataset);
   read(values, "indices_dataset", input.indices_dataset);
   read(values, "use_indices", input.use_indices);
   read(values, "skip_invalid", input.skip_invalid);
+  read(values, "clamp_negative", input.clamp_negative);
   read(values, "sampling_distance", input.sampling_distance);
   read(values, "minimum_fold", input.minimum_fold);
   read(values, "maximum_facet_fold", input.maximum_facet_fold);

@@ -12,7 +12,7 @@ sys.path = [path for path in sys.path if pathlib.Path(path).resolve() != FOLDER.
 
 from wireframe_extraction import _parameters  # noqa: E402
 
-TYPES = {float: "Real", int: "Integer", bool: "Flag", str: "str"}
+TYPES = {float: "Real", int: "Integer", bool: "Flag", tuple: "Sequence[str]", str: "str"}
 
 
 def line(name, kind):

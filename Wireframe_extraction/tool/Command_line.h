@@ -14,7 +14,9 @@
 #include <CLI/CLI.hpp>
 
 #include <cstddef>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tool {
@@ -160,6 +162,7 @@ private:
           "A file with the distances, if they are not in CLOUD: text with one per line, or .npy .npz .h5 .hdf5")
         ->type_name("FILE")
         ->group(group);
+    add_coordinates(group);
     m_app
       .add_option("--distance-property", m_options.input.distance_property,
                   "The property or column of CLOUD that holds the distances, or of a text without names the number "
@@ -198,6 +201,35 @@ private:
                 group);
     add_boolean("--skip-invalid", m_options.input.skip_invalid,
                 "Leave out points with a number that is not finite, or a negative distance", group);
+    add_boolean("--clamp-negative", m_options.input.clamp_negative,
+                "Let negative distances count as zero, as regressors predict them; those of more than a tenth of the "
+                "largest distance are an error",
+                group);
+  }
+
+  void add_coordinates(const std::string& group)
+  {
+    const auto names_of = [](const std::string& text) {
+      std::vector<std::string_view> names;
+      CGAL::IO::internal::split_at(',', text, names);
+      return std::vector<std::string>(names.begin(), names.end());
+    };
+    const auto check = [names_of](const std::string& text) {
+      const std::vector<std::string> names = names_of(text);
+      const std::set<std::string> different(names.begin(), names.end());
+      return names.size() == 3 && different.size() == 3 && different.count("") == 0
+        ? std::string()
+        : "\"" + text + "\" is not three names, such as u,v,w";
+    };
+    m_app
+      .add_option_function<std::string>(
+        "--coordinates,--coordinate-properties",
+        [this, names_of](const std::string& text) { m_options.input.coordinate_properties = names_of(text); },
+        "The properties or columns of CLOUD that hold the coordinates, or of columns without names their numbers, "
+        "counted from 1; otherwise x,y,z or Points:0,Points:1,Points:2, or the first three")
+      ->check(CLI::Validator(check, ""))
+      ->type_name("X,Y,Z")
+      ->group(group);
   }
 
   void add_mesh()

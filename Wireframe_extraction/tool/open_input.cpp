@@ -129,6 +129,8 @@ std::unique_ptr<Input_cloud> open_input(const Input& input, std::string& error)
 {
   const auto np = wireframe::parameters::skip_invalid(input.skip_invalid)
                     .field_origin(input.field_origin)
+                    .clamp_negative(input.clamp_negative)
+                    .coordinate_properties(input.coordinate_properties)
                     .distance_property(input.distance_property)
                     .points_dataset(input.points_dataset)
                     .distances_dataset(input.distances_dataset);

@@ -30,8 +30,9 @@ struct Input
   std::vector<std::string> files; // one, or patches
   std::string distances;          // a file of its own
   bool has_distances = false, are_patches = false;
+  std::vector<std::string> coordinate_properties; // none, or three
   std::string distance_property, points_dataset, distances_dataset, indices_dataset;
-  bool use_indices = true, skip_invalid = false;
+  bool use_indices = true, skip_invalid = false, clamp_negative = false;
   CGAL::Wireframe_extraction::Patch_fusion fusion = CGAL::Wireframe_extraction::Patch_fusion::MINIMUM;
   CGAL::Wireframe_extraction::Field_origin field_origin = CGAL::Wireframe_extraction::Field_origin::AUTOMATIC;
   Mesh_choice mesh = Mesh_choice::AUTOMATIC;

@@ -225,7 +225,7 @@ void test_text()
   refuse(".csv", "x,y,z,distance\nx,y,z,distance\n1,2,3,4\n", {":2:", "\"x\""});
   refuse(".csv", "x,y,h,distance\n1,2,3,4\n", {"x, y and z", "x, y, h, distance"});
   refuse(".csv", "east,north,up,far\n1,2,3,0.5\n",
-         {"x, y and z", "name them so", "line of names", "east, north, up, far"});
+         {"x, y and z", "name them", "coordinate_properties", "line of names", "east, north, up, far"});
   refuse(".csv", "\"distance\",\"P:0\",\"P:1\",\"P:2\"\n4,1,2,3\n", {"x, y and z", "distance, P:0, P:1, P:2"});
   refuse(".csv", "x,y,z,nx,d\n1,2,3,4,5\n", {"distance", "x, y, z, nx, d", "distance_property"});
   refuse(".csv", "x,y,z,distance\n1,2,3,4\n", {"\"own\"", "x, y, z, distance"}, "own");

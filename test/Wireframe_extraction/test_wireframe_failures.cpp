@@ -238,6 +238,51 @@ void test_one_rule()
   assert(report.warnings.size() == 1 && report.sampling_distance > 0.);
 }
 
+// fields that mean something else than a distance, each with its likely reason
+void test_other_meanings()
+{
+  const auto changed = [](double scale, const auto& function) {
+    Cloud cloud = roof();
+    for (auto& sample : cloud)
+    {
+      const Point& p = sample.first;
+      sample = {Point(scale * p.x(), scale * p.y(), scale * p.z()), function(scale * sample.second)};
+    }
+    return cloud;
+  };
+  for (const double scale : {1., 40., 0.1})
+  {
+    const double r = 0.05 * scale;
+    test_same_refusal(changed(scale, [](double d) { return d * d; }), "squared");
+    test_same_refusal(changed(scale, [=](double d) { return std::exp(-d / r); }), "probability");
+    test_same_refusal(changed(scale, [=](double d) { return std::exp(-d / (4. * r)); }), "probability");
+    test_same_refusal(changed(scale, [=](double d) { return d < 1.5 * r ? 1. : 0.; }), "only two values, 0 and 1");
+    test_same_refusal(changed(scale, [=](double d) { return (std::max)(0., 1. - d / (3. * r)); }), "probability");
+    test_same_refusal(changed(scale, [](double d) { return 4. * d; }), "another unit");
+    assert(!WE::select_skeleton(changed(scale, [](double d) { return d; })).is_empty());
+  }
+}
+
+// single precision far from the origin
+void test_resolution()
+{
+  const auto at = [](double offset) {
+    Cloud cloud = roof();
+    for (auto& sample : cloud)
+    {
+      const Point& p = sample.first;
+      sample.first = Point(float(p.x()), float(p.y() + offset), float(p.z()));
+    }
+    return cloud;
+  };
+  test_same_refusal(at(-1e6), "single precision");
+  Report report;
+  assert(!WE::select_skeleton(at(1e5), WP::extraction_report(std::ref(report))).is_empty());
+  assert(report.warnings.size() == 1 && report.warnings[0].find("single precision") != std::string::npos);
+  spoil(report);
+  assert(!WE::select_skeleton(at(1e3), WP::extraction_report(std::ref(report))).is_empty() && report.warnings.empty());
+}
+
 // every stage refuses parameters out of their ranges, and leaves what it would have changed
 void test_parameters()
 {
@@ -341,6 +386,8 @@ int main()
   test_visitors();
   test_clouds();
   test_one_rule();
+  test_other_meanings();
+  test_resolution();
   test_parameters();
   test_cancelling();
   return 0;

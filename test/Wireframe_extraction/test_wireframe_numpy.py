@@ -67,8 +67,49 @@ class Numpy_test(Program_test):
         self.refuse(BAD_INPUT, ["points.npy", "no distances"], "points.npy", "--field", "given")
         numpy.save(self.folder / "objects.npy", numpy.array([[1, "a", None]], dtype=object))
         self.refuse(BAD_INPUT, ["objects.npy", "Python objects"], "objects.npy")
+
+    def structured(self, text="U3"):
+        """The cloud as an array of structures, with what is no number among them."""
+        array = numpy.zeros(len(self.cloud), [("label", text), ("distance", "f4"), ("x", ">f8"), ("y", "f4"), ("z", "f8"),
+                                              ("normal", "f4", (3,)), ("is_seen", "?")])
+        for name, values in zip(("x", "y", "z", "distance"), self.cloud.T):
+            array[name] = values
+        return array
+
+    def test_structures(self):
+        numpy.save(self.folder / "fields.npy", self.structured())
+        self.check("fields.npy")
+        numpy.savez(self.folder / "fields.npz", cloud=self.structured())
+        self.assertIn("\"cloud\" is taken for the points", self.check("fields.npz"))
+        self.refuse(BAD_INPUT, ["\"own\"", "normal:2"], "fields.npy", "--coordinates", "x,y,own")
+
+    def test_half_precision(self):
         numpy.save(self.folder / "half.npy", self.cloud.astype("f2"))
-        self.refuse(BAD_INPUT, ["half.npy", "\"<f2\"", "float64"], "half.npy")
+        numpy.save(self.folder / "same.npy", self.cloud.astype("f2").astype("f8"))
+        results = []
+        for name in ("half.npy", "same.npy"):
+            self.run_tool(name, "-o", "out.json")
+            results.append((self.folder / "out.json").read_text())
+        self.assertEqual(*results)
+
+    def test_columns(self):
+        columns = numpy.column_stack([self.distances, self.points[:, ::-1]])
+        numpy.save(self.folder / "columns.npy", columns)
+        self.check("columns.npy", "--coordinates", "4,3,2", "--distance-property", "1")
+        numpy.savez(self.folder / "four.npz", self.cloud)
+        self.check("four.npz")
+        text = "\n".join(" ".join(map(repr, row)) for row in columns.tolist())
+        (self.folder / "columns.txt").write_text(text)
+        self.check("columns.txt", "--coordinates", "4,3,2")
+        self.check("columns.txt", "--coordinates", "4,3,2", "--distance-property", "1")
+        (self.folder / "named.csv").write_text("u,v,w,t\n" + text.replace(" ", ","))
+        self.check("named.csv", "--coordinates", "t,w,v", "--distance-property", "u")
+        for bad in ("1,2", "1,2,2", "x", "", "1,,2", "1,2,3,4"):
+            self.refuse(USAGE_ERROR, ["--coordinates"], "columns.txt", "--coordinates", bad)
+        self.refuse(BAD_INPUT, ["\"5\"", "--coordinates"], "columns.txt", "--coordinates", "1,2,5")
+        self.refuse(BAD_INPUT, ["\"2\"", "--distance-property"], "columns.txt", "--coordinates", "4,3,2",
+                    "--distance-property", "2")
+        self.refuse(BAD_INPUT, ["\"q\"", "u, v, w, t"], "named.csv", "--coordinates", "u,v,q")
 
     def test_npz(self):
         numpy.savez(self.folder / "a.npz", points=self.points, distances=self.distances, has_sharp=True)
@@ -170,6 +211,10 @@ class Numpy_test(Program_test):
                 file.create_dataset("distances", data=self.distances.reshape(10, -1), **options)
                 file["item_id"] = "box"
             self.check(f"{number}.h5")
+        for name, array in (("fields.h5", self.structured("S3")), ("four.h5", self.cloud)):
+            with h5py.File(self.folder / name, "w") as file:
+                file.create_dataset("cloud", data=array, compression="gzip", chunks=(500, *array.shape[1:]))
+            self.assertIn("\"cloud\" is taken for the points", self.check(name))
         parts, values = self.patches()
         with h5py.File(self.folder / "rows.hdf5", "w") as file:
             for name, kind, rows in (("points", "f8", [self.points[part].ravel() for part in parts]),

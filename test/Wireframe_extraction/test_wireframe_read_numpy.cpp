@@ -53,6 +53,59 @@ void test_npy()
   assert(read_pair(text.name, two.name) == (Cloud{{Point(0, 0, 0), 5}, {Point(1, 2, 3), 6}}));
 }
 
+// what has names, and half precision
+void test_structures()
+{
+  const Cloud cloud = sample_cloud(9001);
+  std::string bytes =
+    npy_header("{'descr': [('name', '<U2'), ('sharpness', '>f8'), ('', '|V3'), ('x', '<f4'), ('n', '<f8', (2, 1)), "
+               "('Y', '<f8'), ('z', '<f8')], 'fortran_order': True, 'shape': (9001,), }\n");
+  std::string halves = npy_header(dictionary("<f2", "2, 4"));
+  for (const auto& sample : cloud)
+  {
+    bytes += "abcdefgh";
+    append(sample.second, true, bytes);
+    bytes += "xyz";
+    append(static_cast<float>(sample.first.x()), false, bytes);
+    append(7., false, bytes);
+    append(8., false, bytes);
+    append(sample.first.y(), false, bytes);
+    append(sample.first.z(), false, bytes);
+  }
+  const Test_file file(".npy", bytes);
+  assert(read(file.name) == cloud);
+  assert(read(file.name, {"", "", "n:1"})[3].second == 8.);
+  assert(read(file.name, {"", "", "", {"z", "x", "y"}})[3].first
+         == Point(cloud[3].first.z(), cloud[3].first.x(), cloud[3].first.y()));
+  refuse(file, {"no field \"w\"", "sharpness, x, n:0, n:1, Y, z"}, {"", "", "", {"x", "y", "w"}});
+  const Test_file archive(".npz", zip({{"anything.npy", bytes}}, 0));
+  assert(read(archive.name) == cloud);
+  refuse(".npy", bytes.substr(0, bytes.size() - 1), {"promises the shape 9001", "440 bit entries", "truncated"});
+  refuse(".npy", bytes + "x", {"more than the shape"});
+
+  for (const std::uint16_t bits : {0x3C00, 0xC000, 0x3555, 0x0001, 0x0000, 0x7BFF, 0x8000, 0x0400})
+    append(bits, false, halves);
+  const Test_file half(".npy", halves);
+  const double third = 0.333251953125, least = std::ldexp(1., -24);
+  assert((read(half.name) == Cloud{{Point(1, -2, third), least}, {Point(0, 65504, -0.), std::ldexp(1., -14)}}));
+}
+
+void test_columns()
+{
+  const Cloud cloud = sample_cloud(20);
+  std::vector<double> rows;
+  for (const auto& sample : cloud)
+    rows.insert(rows.end(), {9., sample.first.z(), sample.first.y(), sample.first.x(), sample.second});
+  const Names names = {"", "", "5", {"4", "3", "2"}};
+  const std::string array = npy(rows, {20, 5});
+  const Test_file file(".npy", array), archive(".npz", zip({{"arr_0.npy", array}}, 0));
+  assert(read(file.name, names) == cloud);
+  assert(read(archive.name, names) == cloud);
+  refuse(file, {"shape 20 x 5", "coordinate_properties"});
+  refuse(file, {"\"6\"", "from 1 to 5", "coordinate_properties"}, {"", "", "5", {"1", "2", "6"}});
+  refuse(file, {"no distances"}, {"", "", "6", {"1", "2", "3"}});
+}
+
 void test_bad_npy()
 {
   const auto with = [](const std::string& entries, std::size_t number_of_bytes = 32) {
@@ -66,12 +119,26 @@ void test_bad_npy()
   refuse(".npy", std::string("\x93NUMPY\x01\0\x40\0{'descr'", 18), {"truncated", "header"});
   refuse(".npy", npy({1, 2, 3, 4}, {1, 4}, "<f8", false, 4), {"version 4", "1 to 3"});
   refuse(".npy", std::string("\x93NUMPY\x02\0\xff\xff\xff\x7f{", 13), {"header", "2147483647 bytes"});
-  refuse(".npy", with(dictionary("|O", "1, 4")), {"Python objects", "float64", "numpy.asarray"});
+  refuse(".npy", with(dictionary("|O", "1, 4")), {"Python objects", "dtype=float", "numpy.asarray"});
   for (const char* const type :
-       {"<f2", "<c16", "|b1", "<U7", "|V8", "f8", "<f", "<f99999999999999999999", "?f8", "|f8", ""})
-    refuse(".npy", with(dictionary(type, "1, 4")), {"type", std::string("\"") + type + "\"", "float64"});
-  refuse(".npy", with("{'descr': [('x', '<f8')], 'fortran_order': False, 'shape': (4,)}"),
-         {"structured", "numpy.asarray"});
+       {"<f16", "<c16", "|b1", "<U7", "|V8", "f8", "<f", "<f99999999999999999999", "?f8", "|f8", ""})
+    refuse(".npy", with(dictionary(type, "1, 4")), {"type", std::string("\"") + type + "\"", "dtype=float"});
+  const auto with_fields = [&](const std::string& fields) {
+    return with("{'descr': " + fields + ", 'fortran_order': False, 'shape': (1,)}");
+  };
+  refuse(".npy", with_fields("[('x', '<f8'), ('y', '<f8'), ('z', '<f8'), ('name', '|S8')]"),
+         {"the fields x, y, z", "no distances"});
+  refuse(".npy", with_fields("[('x', '<f8'), ('y', '<f8'), ('q', '<f8'), ('distance', '<f8')]"),
+         {"no field \"z\"", "x, y, q, distance", "coordinate_properties"});
+  refuse(".npy", with_fields("[('p', [('x', '<f8')])]"), {"within which", "numpy.asarray"});
+  refuse(".npy", with_fields("[('p', '<q8')]"), {"\"p\"", "\"<q8\""});
+  refuse(".npy", with_fields("[('name', '|S32')]"), {"without numbers"});
+  refuse(".npy", with_fields("[]"), {"without numbers"});
+  for (const char* const fields :
+       {"[('x', '<f8', (3)]", "[('x', '<f8', (70000,))]", "[('x', '<f8', (256, 256, 256, 256))]", "['x']",
+        "[('x' '<f8')]", "[('x', '<f8'", "[('x', '<f8')"})
+    refuse(".npy", with_fields(fields), {"numpy."});
+  refuse(".npy", with_fields("[('x', '<f8'), ('s', '|S65536')]"), {"too large"});
   for (const char* const entries :
        {"", "x", "{", "{}x", "{'descr' '<f8'}", "{'descr': '<f8', 'fortran_order': No}", "{'descr': '<f8' 'shape': ()}",
         "{'shape': (1, -4)}", "{'shape': (1 4)}", "{'shape': (99999999999999999999,)}", "{'shape': 4}", "{'descr': 4}",
@@ -150,6 +217,25 @@ void test_npz()
          {"for the distances", "sharpness", "it has: points."});
 }
 
+// an archive of one array, or of points by any name and distances by a known one
+void test_arrays_of_any_name()
+{
+  const Cloud cloud = sample_cloud(300);
+  const Member four = {"cloud.npy", npy(rows_of_four(cloud), {300, 4})};
+  const Member three = {"arr_0.npy", npy(points_of(cloud), {300, 3})};
+  const Member distances = {"distances.npy", npy(distances_of(cloud), {300})};
+  const Member zeros = {"quality.npy", npy(std::vector<double>(300, 0.), {300})};
+  const Test_file one(".npz", zip({four}, 0)), two(".npz", zip({distances, three}, 0));
+  assert(read(one.name) == cloud);
+  assert(read(two.name) == cloud);
+  const Test_file named(".npz", zip({four, three}, 0));
+  assert(read(named.name, {"cloud", "", ""}) == cloud);
+  refuse(named, {"no array \"points\"", "cloud, arr_0"});
+  const Test_file both(".npz", zip({zeros, four}, 0)); // an array of distances counts more than a column
+  assert(read(both.name)[5].second == 0.);
+  refuse(".npz", zip({three}, 0), {"no array for the distances"});
+}
+
 void test_bad_npz()
 {
   const Cloud cloud = sample_cloud(50);
@@ -221,8 +307,11 @@ int main()
   const auto count_files = [] { return std::distance(fs::directory_iterator("."), fs::directory_iterator()); };
   const auto before = count_files();
   test_npy();
+  test_structures();
+  test_columns();
   test_bad_npy();
   test_npz();
+  test_arrays_of_any_name();
   test_bad_npz();
   test_small_number_types();
   assert(count_files() == before);

@@ -1,9 +1,11 @@
 // Clouds as PCL writes them, and vertices of meshes.
 
 #include "cloud_file_checks.h"
+#include "lzf.h"
 #include "numpy_writers.h"
 
 #include <cassert>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <iterator>
@@ -67,8 +69,7 @@ void test_pcd()
   refuse(".pcd", "FIELDS x y z distance\nPOINTS 5\nWIDTH 2\nHEIGHT 3\nDATA ascii\n", {"5 POINTS", "WIDTH 2", "3"});
   refuse(".pcd", "FIELDS x y z distance\nWIDTH 18446744073709551615\nHEIGHT 3\nDATA binary\n0123456789abcdef",
          {"promises", "truncated"});
-  refuse(".pcd", header("1", "binary_compressed"), {":11:", "compressed", "pcl_convert_pcd_ascii_binary", "pcl-tools"});
-  refuse(".pcd", header("1", "text"), {":11:", "ascii or binary", "\"text\""});
+  refuse(".pcd", header("1", "text"), {":11:", "ascii, binary or binary_compressed", "\"text\""});
   refuse(".pcd", header("1", "ascii"), {"truncated", "after 0 of 1 points"});
   refuse(".pcd", header("1", "ascii") + "1 2 3\n", {":12:", "3 values", "4"});
   refuse(".pcd", header("1", "ascii") + "1 2 3 far\n", {":12:", "\"far\""});
@@ -78,7 +79,7 @@ void test_pcd()
   refuse(".pcd", header("2", "binary") + std::string(31, '\0'), {"promises 2 points of 16 bytes", "31", "truncated"});
   refuse(".pcd", header("1000000000000", "binary") + std::string(31, '\0'), {"1000000000000", "truncated"});
   refuse(".pcd", header("18446744073709551615", "ascii") + "1 2 3 4\n", {"after 1 of 18446744073709551615"});
-  refuse(".pcd", header("1", "binary") + std::string(32, '\0'), {"more than the 1 points"});
+  refuse(".pcd", header("1", "binary") + std::string(32, '\1'), {"more than the 1 points"});
   refuse(".pcd", pcd_header("x y z rgb", "4 4 4 4", "F F F U", "1 1 1 1", "1", "ascii") + "1 2 3 4\n",
          {"no field for the distance", "sharpness", "x, y, z, rgb", "distance_property", "separate file"});
   refuse(".pcd", header("1", "ascii") + "1 2 3 4\n", {"no field \"own\"", "x, y, z, distance"}, {"", "", "own"});
@@ -88,6 +89,68 @@ void test_pcd()
   refuse(".pcd", pcd_header("x y z distance", "4 4 4 3", "F F F F", "1 1 1 1", "1", "ascii"),
          {"\"distance\"", "F of size 3"});
   refuse(".pcd", pcd_header("x y z distance", "0 0 0 0", "F F F F", "0 0 0 0", "9", "binary"), {"0 numbers"});
+}
+
+// what PCL writes: a block in which each field has all its numbers, one behind the other
+std::string compressed(const Cloud& cloud, std::size_t* size_of_block = nullptr)
+{
+  std::string fields;
+  for (const auto& sample : cloud)
+    append(static_cast<float>(sample.first.x()), false, fields);
+  for (const auto& sample : cloud)
+    append(sample.second, false, fields);
+  fields += std::string(3 * 4 * cloud.size(), '\7'); // three numbers per point that are not looked at
+  for (const auto& sample : cloud)
+    append(static_cast<float>(sample.first.y()), false, fields);
+  for (const auto& sample : cloud)
+    append(static_cast<float>(sample.first.z()), false, fields);
+  const std::vector<unsigned char> packed = lzf(reinterpret_cast<const unsigned char*>(fields.data()), fields.size());
+  std::string block;
+  append(static_cast<std::uint32_t>(packed.size()), false, block);
+  append(static_cast<std::uint32_t>(fields.size()), false, block);
+  block.append(packed.begin(), packed.end());
+  if (size_of_block != nullptr)
+    *size_of_block = block.size();
+  return pcd_header("x distance normal _ y z", "4 8 4 1 4 4", "F F F U F F", "1 1 3 4 1 1",
+                    std::to_string(cloud.size()), "binary_compressed")
+    + block;
+}
+
+void test_pcd_of_pcl()
+{
+  const Cloud cloud = sample_cloud(70000); // more than one chunk
+  std::size_t size_of_block = 0;
+  const std::string good = compressed(cloud, &size_of_block);
+  const std::size_t begin = good.size() - size_of_block;
+  const Test_file file(".pcd", good), padded("_padded.pcd", good + std::string(5000, '\0'));
+  assert(read(file.name) == cloud);
+  assert(read(padded.name) == cloud);
+  refuse(".pcd", good + std::string(5000, '\0') + "x", {"more than the 70000 points"});
+  refuse(".pcd", good.substr(0, begin), {"truncated", "before its compressed points"});
+  refuse(".pcd", good.substr(0, begin + 7), {"truncated", "before its compressed points"});
+  for (const std::size_t size : {begin + 8, begin + 9, good.size() / 2, good.size() - 1})
+    refuse(".pcd", good.substr(0, size), {"truncated", "bytes of compressed points", "complete copy"});
+  std::string other_size = good, other_count = good, damaged = good;
+  other_size[begin + 4] = static_cast<char>(other_size[begin + 4] ^ 1);
+  refuse(".pcd", other_size, {"compressed points are damaged"});
+  damaged[begin + 8] = '\x7f'; // repeats what never was
+  refuse(".pcd", damaged, {"compressed points are damaged"});
+  while (other_count.find("70000") != std::string::npos)
+    other_count.replace(other_count.find("70000"), 5, "70001");
+  refuse(".pcd", other_count, {"promises 70001 points of 32 bytes", "2240000 bytes", "header is wrong"});
+
+  const std::string header = pcd_header("x y z distance", "4 4 4 4", "F F F F", "1 1 1 1", "1", "binary");
+  const Test_file page("_page.pcd", header + std::string(16, '\1') + std::string(4080, '\0'));
+  assert(read(page.name).size() == 1);
+}
+
+void test_pcd_coordinates()
+{
+  const std::string text = pcd_header("u v w distance", "4 4 4 4", "F F F F", "1 1 1 1", "1", "ascii") + "1 2 3 4\n";
+  const Test_file file(".pcd", text);
+  assert((read(file.name, {"", "", "", {"v", "w", "u"}}) == Cloud{{Point(2, 3, 1), 4}}));
+  refuse(".pcd", text, {"no field \"x\"", "u, v, w, distance", "coordinate_properties"});
+  refuse(".pcd", text, {"no field \"q\"", "u, v, w, distance"}, {"", "", "", {"v", "w", "q"}});
 }
 
 void test_off()
@@ -152,6 +215,8 @@ int main()
   const auto count_files = [] { return std::distance(fs::directory_iterator("."), fs::directory_iterator()); };
   const auto before = count_files();
   test_pcd();
+  test_pcd_of_pcl();
+  test_pcd_coordinates();
   test_off();
   test_mesh_in_ply();
   assert(count_files() == before);

@@ -347,6 +347,45 @@ void test_skipping()
   assert(cloud == expected);
 }
 
+void test_coordinate_properties()
+{
+  const Cloud expected = {{Point(2, 3, 1), 4}, {Point(6, 7, 5), 8}};
+  const Names by_name = {"", "", "", {"v", "w", "u"}}, by_number = {"", "", "", {"2", "3", "1"}};
+  const std::string rows = "1 2 3 4\n5 6 7 8\n";
+  const std::string ply = ply_start("ascii")
+    + "element vertex 2\nproperty float u\nproperty float v\nproperty float w\nproperty float distance\nend_header\n"
+    + rows;
+  const Test_file ply_file(".ply", ply), numbered("_numbered.txt", rows),
+    named("_named.txt", "u v w distance\n" + rows), comment("_comment.txt", "# u v w distance\n" + rows),
+    five("_five.txt", "1 2 3 0 4\n5 6 7 0 8\n");
+  for (const Test_file* const file : {&ply_file, &named, &comment})
+    assert(read(file->name, by_name) == expected);
+  assert(read(numbered.name, by_number) == expected);
+  assert(read(five.name, {"", "", "5", {"2", "3", "1"}}) == expected);
+  refuse(five, {":1:", "distance_property"}, by_number);
+  refuse(five, {"\"3\"", "distance_property"}, {"", "", "3", {"2", "3", "1"}});
+  refuse(numbered, {"\"5\"", "from 1 to 4"}, {"", "", "", {"1", "2", "5"}});
+  refuse(named, {"\"q\"", "u, v, w, distance"}, {"", "", "", {"u", "v", "q"}});
+  refuse(".ply", ply, {"no property \"x\"", "u, v, w, distance", "coordinate_properties"});
+}
+
+// what a regressor predicts near features
+void test_negative_distances()
+{
+  const Test_file small(".xyz", "0 0 0 -0.001\n1 0 0 2\n"), text("_points.xyz", "0 0 0\n1 0 0\n"),
+    distances("_distances.txt", "-0.001\n2\n"), signed_ones("_signed.xyz", "0 0 0 -0.5\n1 0 0 2\n2 0 0 3\n");
+  const Cloud expected = {{Point(0, 0, 0), 0}, {Point(1, 0, 0), 2}};
+  refuse(small, {"1 with a negative distance", "skip_invalid", "clamp_negative"});
+  refuse("_nan.xyz", "0 0 0 nan\n1 0 0 2\n", {"skip_invalid(true)"});
+  Cloud cloud;
+  std::string error;
+  const auto clamped = parameters::clamp_negative(true).error_message(&error);
+  assert(CGAL::IO::read_distance_cloud(small.name, cloud, clamped) && cloud == expected);
+  assert(CGAL::IO::read_distance_cloud(text.name, distances.name, cloud, clamped) && cloud == expected);
+  assert(!CGAL::IO::read_distance_cloud(signed_ones.name, cloud, clamped));
+  check_words(error, {"-0.5", "3", "signed"});
+}
+
 // other number types, and a coordinate that only some of them can hold
 void test_other_types()
 {
@@ -387,6 +426,8 @@ int main()
   test_text_with_names();
   test_separate_distances();
   test_skipping();
+  test_coordinate_properties();
+  test_negative_distances();
   test_other_types();
   test_other_locale();
   return 0;

@@ -1,4 +1,4 @@
-from typing import Any, Iterable, Literal, overload
+from typing import Any, Iterable, Literal, Sequence, overload
 
 import numpy.typing as npt
 
@@ -54,10 +54,12 @@ def extract_many(
     use_boundaries: Flag | None = ...,
     # READING
     field: Literal["auto", "given", "estimated"] | None = ...,
+    coordinate_properties: Sequence[str] | None = ...,
     distance_property: str | None = ...,
     points_dataset: str | None = ...,
     distances_dataset: str | None = ...,
     indices_dataset: str | None = ...,
+    clamp_negative: Flag | None = ...,
     use_indices: Flag | None = ...,
     patches: Flag | None = ...,
     fusion: Literal["minimum", "median"] | None = ...,
@@ -109,10 +111,12 @@ def extract_many(
     use_boundaries: Flag | None = ...,
     # READING
     field: Literal["auto", "given", "estimated"] | None = ...,
+    coordinate_properties: Sequence[str] | None = ...,
     distance_property: str | None = ...,
     points_dataset: str | None = ...,
     distances_dataset: str | None = ...,
     indices_dataset: str | None = ...,
+    clamp_negative: Flag | None = ...,
     use_indices: Flag | None = ...,
     patches: Flag | None = ...,
     fusion: Literal["minimum", "median"] | None = ...,

@@ -68,6 +68,8 @@ def read_cloud(path: Any, distances: Any = None, **parameters: Any) -> Cloud:
     field : {"auto", "given", "estimated"}
         Where distances have to come from: "given" makes it an error if there are none, and with "estimated" they are
         not looked at.
+    coordinate_properties : three of str
+        Names of the properties or columns with x, y and z, or of columns without names their numbers as text.
     distance_property, points_dataset, distances_dataset, indices_dataset : str
         Names of what is to be read, if they are not the usual ones.
     patches : bool
@@ -78,6 +80,8 @@ def read_cloud(path: Any, distances: Any = None, **parameters: Any) -> Cloud:
         Whether points of patches are the same by their indices, or else by their positions.
     skip_invalid : bool
         Whether points that are not finite or have a negative distance are left out; otherwise they are an error.
+    clamp_negative : bool
+        Whether distances a little below zero, as regressors predict them, count as zero.
     mesh : {"auto", "cad", "scan"}
         What a mesh is taken for: a shape, whose surface is sampled, or a scan, whose vertices are the points.
     sampling_distance, minimum_fold, maximum_facet_fold, maximum_number_of_points, use_boundaries

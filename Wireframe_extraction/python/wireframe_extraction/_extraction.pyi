@@ -58,10 +58,12 @@ def extract(
     use_boundaries: Flag | None = ...,
     # READING
     field: Literal["auto", "given", "estimated"] | None = ...,
+    coordinate_properties: Sequence[str] | None = ...,
     distance_property: str | None = ...,
     points_dataset: str | None = ...,
     distances_dataset: str | None = ...,
     indices_dataset: str | None = ...,
+    clamp_negative: Flag | None = ...,
     use_indices: Flag | None = ...,
     patches: Flag | None = ...,
     fusion: Literal["minimum", "median"] | None = ...,

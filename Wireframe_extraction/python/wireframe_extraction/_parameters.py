@@ -30,10 +30,12 @@ MESH = {"mesh": str, "maximum_facet_fold": float, "maximum_number_of_points": in
 #: of files, with the type of each
 READING = {
     "field": str,
+    "coordinate_properties": tuple,
     "distance_property": str,
     "points_dataset": str,
     "distances_dataset": str,
     "indices_dataset": str,
+    "clamp_negative": bool,
     "use_indices": bool,
     "patches": bool,
     "fusion": str,
@@ -149,11 +151,19 @@ def _as_boolean(name: str, value: Any) -> bool:
     return bool(value)
 
 
+def _as_names(name: str, value: Any) -> list[str]:
+    names = [] if isinstance(value, str) else list(value)
+    if len(names) != 3 or not all(isinstance(text, str) and text for text in names) or len(set(names)) != 3:
+        raise ValueError(f"{name} is {value!r}; it has to be three different names, of x, y and z")
+    return names
+
+
 _CONVERSIONS: dict[type, Callable[[str, Any], Any]] = {
     int: _as_integer,
     float: _numbers.real,
     str: _as_text,
     bool: _as_boolean,
+    tuple: _as_names,
 }
 
 

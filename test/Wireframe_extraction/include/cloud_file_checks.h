@@ -27,6 +27,7 @@ typedef std::vector<std::pair<Point, double>> Cloud;
 struct Names
 {
   std::string points, distances, property;
+  std::vector<std::string> coordinates = {};
 };
 
 inline auto name_parameters(const Names& names, std::string& error)
@@ -34,6 +35,7 @@ inline auto name_parameters(const Names& names, std::string& error)
   return parameters::points_dataset(names.points)
     .distances_dataset(names.distances)
     .distance_property(names.property)
+    .coordinate_properties(names.coordinates)
     .error_message(&error);
 }
 

@@ -31,7 +31,7 @@ def test_errors(cylinder):
 def test_warnings_name_the_cloud(cylinder):
     points, distances = cylinder
     with pytest.warns(we.ExtractionWarning) as caught:
-        we.extract_many([cylinder, (points, distances * 5)])
+        we.extract_many([cylinder, (points, distances * 0.5)])
     assert [str(warning.message)[:10] for warning in caught] == ["clouds[1]:"] and caught[0].filename == __file__
 
 

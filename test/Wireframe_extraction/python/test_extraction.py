@@ -257,7 +257,7 @@ def test_skip_invalid(cylinder, cylinder_json):
 def test_library_warnings(cylinder):
     points, distances = cylinder
     with pytest.warns(we.ExtractionWarning, match="large errors or another unit") as caught:
-        wireframe = we.extract(points, distances * 5)
+        wireframe = we.extract(points, distances * 0.5)
     assert wireframe.report.warnings and caught[0].filename == __file__
     with warnings.catch_warnings():
         warnings.simplefilter("error")

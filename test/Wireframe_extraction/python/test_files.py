@@ -122,6 +122,14 @@ def test_read_cloud(cylinder, data, tmp_path):
     np.save(tmp_path / "distances.npy", distances)
     cloud = we.read_cloud(tmp_path / "cloud.npz")
     assert np.array_equal(cloud.points, points) and np.array_equal(cloud.distances, distances)
+    np.save(tmp_path / "columns.npy", np.column_stack([distances - 1e-9, points[:, ::-1]]))
+    turned = we.read_cloud(tmp_path / "columns.npy", coordinate_properties=("4", "3", "2"), distance_property="1",
+                           clamp_negative=True)
+    assert np.array_equal(turned.points, points) and turned.distances.min() >= 0
+    with pytest.raises(ValueError, match="three different names"):
+        we.read_cloud(tmp_path / "columns.npy", coordinate_properties="xyz")
+    with pytest.raises(ValueError, match="coordinate_properties"):
+        we.read_cloud(tmp_path / "columns.npy", coordinate_properties=("x", "y", "z"))
     bare = we.read_cloud(tmp_path / "cloud.xyz")
     assert np.array_equal(bare.points, points) and bare.distances is None
     joined = we.read_cloud(tmp_path / "cloud.xyz", tmp_path / "distances.npy")

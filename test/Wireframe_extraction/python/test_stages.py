@@ -62,7 +62,7 @@ def test_parameters(box):
 def test_warnings_come_once(cylinder):
     points, distances = cylinder
     with pytest.warns(we.ExtractionWarning) as caught:
-        we.Extractor(points, distances * 5).wireframe
+        we.Extractor(points, distances * 0.5).wireframe
     assert ["large errors" in str(warning.message) for warning in caught] == [True] and caught[0].filename == __file__
 
 

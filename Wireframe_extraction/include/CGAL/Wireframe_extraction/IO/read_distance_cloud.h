@@ -82,11 +82,14 @@ Cloud_reader_options get_cloud_reader_options(const NamedParameters& np)
   using CGAL::parameters::get_parameter_reference;
 
   Cloud_reader_options options;
+  options.coordinate_properties =
+    choose_parameter(get_parameter_reference(np, internal_np::coordinate_properties), std::vector<std::string>());
   options.distance_property =
     choose_parameter(get_parameter_reference(np, internal_np::distance_property), std::string());
   options.points_dataset = choose_parameter(get_parameter_reference(np, internal_np::points_dataset), std::string());
   options.distances_dataset =
     choose_parameter(get_parameter_reference(np, internal_np::distances_dataset), std::string());
+  options.clamp_negative = choose_parameter(get_parameter(np, internal_np::clamp_negative), false);
   options.skip_invalid = choose_parameter(get_parameter(np, internal_np::skip_invalid), false);
   options.largest_magnitude = largest_magnitude_of<FT>();
   return options;
@@ -180,9 +183,12 @@ struct Is_iterator<T, std::void_t<typename std::iterator_traits<T>::iterator_cat
 ///   distance, counted from 1, must be given as `distance_property`. Comments start with `#`, `//` or `%`, or behind
 ///   numbers with `#`; a line such as `sep=;` says what separates the columns; a first line that holds only the number
 ///   of points is checked against it. Every line must have as many columns as the first.
-/// - `.pcd`: ascii or binary, not compressed, with the fields `x`, `y`, `z` and one for the distance.
-/// - `.npy`: an array of floating point numbers or integers with four columns, the last of which is the distance.
-/// - `.npz`: the arrays `points` (N x 3) and `distances` (N). What `numpy.savez_compressed()` writes needs zlib.
+/// - `.pcd`: ascii, binary, or compressed, with the fields `x`, `y`, `z` and one for the distance.
+/// - `.npy`: an array of floating point numbers (also of half precision) or integers with four columns, the last of
+///   which is the distance; or a structured one, with the fields `x`, `y`, `z` and one for the distance.
+/// - `.npz`: the arrays `points` (N x 3) and `distances` (N); or one that has the distances in it, as a `.npy` file
+///   does. An array of points may have any name if there is no other one. What `numpy.savez_compressed()` writes needs
+///   zlib.
 /// - `.h5`, `.hdf5`: the same as data sets, with HDF5. Other data sets are not looked at.
 /// - `.off`, also with colours and normals: the vertices of a mesh. They have no distances: use the other overload.
 ///
@@ -214,6 +220,13 @@ struct Is_iterator<T, std::void_t<typename std::iterator_traits<T>::iterator_cat
 ///   passed over
 ///
 /// \cgalNamedParamsBegin
+///   \cgalParamNBegin{coordinate_properties}
+///     \cgalParamDescription{the names of the properties or columns that hold x, y and z; of columns without names,
+///                           their numbers, counted from 1}
+///     \cgalParamType{`std::vector<std::string>` of three names, or none}
+///     \cgalParamDefault{`x`, `y` and `z`, else as ParaView writes them `Points:0`, `Points:1` and `Points:2`;
+///                       of columns without names, the first three}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{distance_property}
 ///     \cgalParamDescription{the name of the property or column that holds the distances; of text without names,
 ///                           the number of the column, counted from 1}
@@ -233,6 +246,12 @@ struct Is_iterator<T, std::void_t<typename std::iterator_traits<T>::iterator_cat
 ///     \cgalParamDescription{the same for the distances}
 ///     \cgalParamType{`std::string`}
 ///     \cgalParamDefault{what `distance_property` says}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{clamp_negative}
+///     \cgalParamDescription{whether negative distances count as zero, as regressors predict them; one of more than
+///                           a tenth of the largest distance is an error}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \wireframeParamSkipInvalidOfFile
 ///   \cgalParamNBegin{number_of_skipped}
@@ -281,6 +300,13 @@ bool read_distance_cloud(const std::string& filename, std::vector<std::pair<Poin
 /// \param np an optional sequence of named parameters among the ones listed below
 ///
 /// \cgalNamedParamsBegin
+///   \cgalParamNBegin{coordinate_properties}
+///     \cgalParamDescription{the names of the properties or columns that hold x, y and z; of columns without names,
+///                           their numbers, counted from 1}
+///     \cgalParamType{`std::vector<std::string>` of three names, or none}
+///     \cgalParamDefault{`x`, `y` and `z`, else as ParaView writes them `Points:0`, `Points:1` and `Points:2`;
+///                       of columns without names, the first three}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{points_dataset}
 ///     \cgalParamDescription{the name of the data set of HDF5, or the array of `.npz`, that holds the points}
 ///     \cgalParamType{`std::string`}
@@ -291,6 +317,12 @@ bool read_distance_cloud(const std::string& filename, std::vector<std::pair<Poin
 ///     \cgalParamType{`std::string`}
 ///     \cgalParamDefault{the first that is there of `distance`, `distances`, `sharpness`, `scalar_distance`,
 ///                       `quality`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{clamp_negative}
+///     \cgalParamDescription{whether negative distances count as zero, as regressors predict them; one of more than
+///                           a tenth of the largest distance is an error}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \wireframeParamSkipInvalidOfFile
 ///   \cgalParamNBegin{number_of_skipped}

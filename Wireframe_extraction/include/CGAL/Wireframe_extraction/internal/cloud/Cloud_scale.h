@@ -20,10 +20,20 @@ namespace internal {
 // such points where they saw nothing.
 constexpr double farthest_in_units = 1e9;
 
+// what a field that is given as distances may be instead
+enum class Field_meaning
+{
+  DISTANCE,
+  SQUARED,
+  EXPONENTIAL
+};
+
 struct Cloud_scale
 {
   double sampling_distance = 0.;
-  double slope = 0.; // of the field between neighbors: about 1 if points and distances have the same unit
+  double slope = 0.;    // of the field between neighbors: about 1 if points and distances have the same unit
+  double gradient = 0.; // along the surface, the upper quartile; 0 if it is not known
+  Field_meaning meaning = Field_meaning::DISTANCE;
 };
 
 } // namespace internal

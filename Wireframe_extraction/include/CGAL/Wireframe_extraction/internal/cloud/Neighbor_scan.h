@@ -243,13 +243,19 @@ public:
   Cloud_scale scale() const
   {
     Density_measures measures;
+    std::vector<std::pair<Vector, double>> field_around;
     for (const Query& query : m_queries)
     {
       if (query.neighbors.empty())
         continue;
       double slope = 0.;
+      field_around.clear();
       for (const Neighbor& neighbor : query.neighbors)
+      {
         slope = (std::max)(slope, std::abs(query.field - neighbor.field) / std::sqrt(neighbor.squared_distance));
+        field_around.emplace_back(neighbor.position - query.position, neighbor.field);
+      }
+      measures.add_field(query.field, field_around);
       measures.add(query.neighbors.front().squared_distance, query.neighbors.back().squared_distance,
                    query.neighbors.size(), slope);
     }

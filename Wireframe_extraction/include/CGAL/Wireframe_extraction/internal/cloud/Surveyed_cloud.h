@@ -46,7 +46,7 @@ class Surveyed_cloud
   std::unique_ptr<Distance_histogram> m_histogram;
   std::size_t m_number_of_points = 0, m_not_finite = 0, m_negative = 0, m_first_invalid = 0;
   double m_smallest = (std::numeric_limits<double>::infinity)(), m_largest = 0.;
-  std::size_t m_number_of_largest = 0;
+  std::size_t m_number_of_smallest = 0, m_number_of_largest = 0;
   bool m_has_own_distances = false;
   mutable std::string m_error;
 
@@ -62,6 +62,7 @@ public:
   std::size_t first_invalid() const { return m_first_invalid; }
   double smallest_distance() const { return m_smallest; }
   double largest_distance() const { return m_largest; }
+  std::size_t number_of_smallest() const { return m_number_of_smallest; }
   std::size_t number_of_largest() const { return m_number_of_largest; }
 
   // why it could not be read; empty if it could

@@ -98,7 +98,12 @@ CGAL_WIREFRAME_EXTRACTION_INLINE void Surveyed_cloud::survey(const Sample& s)
 
 CGAL_WIREFRAME_EXTRACTION_INLINE void Surveyed_cloud::survey_distance(double distance)
 {
-  m_smallest = (std::min)(m_smallest, distance);
+  if (distance < m_smallest)
+  {
+    m_smallest = distance;
+    m_number_of_smallest = 0;
+  }
+  m_number_of_smallest += distance == m_smallest;
   if (distance > m_largest)
   {
     m_largest = distance;
@@ -113,7 +118,7 @@ CGAL_WIREFRAME_EXTRACTION_INLINE void Surveyed_cloud::set_distances(const std::v
   m_has_own_distances = true;
   m_smallest = (std::numeric_limits<double>::infinity)();
   m_largest = 0.;
-  m_number_of_largest = 0;
+  m_number_of_smallest = m_number_of_largest = 0;
   for (double distance : m_sample.values().distances)
     survey_distance(distance);
 }

@@ -46,6 +46,8 @@ bool check_scale(const Surveyed_cloud& cloud, const Cloud_scale& scale, double g
 
 // Whether a field that was cut off at some distance is known as far as the stages need it. The share of the points that
 // have the largest distance tells whether it was cut off.
+bool check_resolution(const Surveyed_cloud& cloud, double unit, Wireframe_extraction_report& report);
+
 bool check_truncation(const Surveyed_cloud& cloud, double unit, const Extraction_options& options,
                       Wireframe_extraction_report& report);
 

@@ -18,6 +18,7 @@
 #include <CGAL/Wireframe_extraction/internal/base/position_search_traits.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Cloud_scale.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Cloud_values.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Field_slopes.h>
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/number_utils.h>
@@ -25,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -54,6 +56,7 @@ constexpr std::size_t density_neighbors = 16;
 class Density_measures
 {
   std::vector<double> m_areas, m_nearest, m_slopes;
+  Field_slopes m_gradients;
 
   // A random cloud holds k - 1/3 points in the median of these discs, a regular one about k + 1/2.
   static constexpr double surplus_in_disc = 0.1;
@@ -71,6 +74,12 @@ public:
     m_slopes.push_back(slope);
   }
 
+  // the field at a point, and the offsets to its neighbors with the field there
+  void add_field(double field, const std::vector<std::pair<Vector, double>>& neighbors)
+  {
+    m_gradients.add(field, neighbors);
+  }
+
   Cloud_scale scale() const
   {
     Cloud_scale scale;
@@ -81,6 +90,7 @@ public:
     const double regularity = (std::min)(1., (std::max)(0., (from_nearest / from_density - most_random) / transition));
     scale.sampling_distance = from_density + regularity * (from_nearest - from_density);
     scale.slope = median(m_slopes);
+    m_gradients.describe(scale);
     return scale;
   }
 };
@@ -101,12 +111,14 @@ inline Cloud_scale cloud_scale(const std::vector<Vector>& positions, const std::
   tree.build();
   const typename Search::Distance metric(map);
   Density_measures measures;
+  std::vector<std::pair<Vector, double>> field_around;
   const unsigned int wanted_or_all = static_cast<unsigned int>((std::min)(density_neighbors + 1, unique.size()));
   for (std::size_t q = 0; q < queries.size(); ++q)
   {
     const Search search(tree, queries.positions[q], wanted_or_all, 0., true, metric);
     std::size_t neighbors = 0;
     double first = 0., last = 0., slope = 0.;
+    field_around.clear();
     for (const auto& neighbor : search)
     {
       if (!(neighbor.second > 0.))
@@ -114,11 +126,16 @@ inline Cloud_scale cloud_scale(const std::vector<Vector>& positions, const std::
       last = neighbor.second;
       if (neighbors++ == 0)
         first = last;
-      if (!distances.empty())
-        slope = (std::max)(slope, std::abs(queries.distances[q] - distances[neighbor.first]) / std::sqrt(last));
+      if (distances.empty())
+        continue;
+      const double field = distances[neighbor.first];
+      slope = (std::max)(slope, std::abs(queries.distances[q] - field) / std::sqrt(last));
+      field_around.emplace_back(positions[neighbor.first] - queries.positions[q], field);
     }
     if (neighbors > 0)
       measures.add(first, last, neighbors, slope);
+    if (!distances.empty())
+      measures.add_field(queries.distances[q], field_around);
   }
   return measures.scale();
 }

@@ -17,6 +17,8 @@ CGAL_add_named_parameter(sampling_distance_t, sampling_distance, sampling_distan
 CGAL_add_named_parameter(points_in_memory_t, points_in_memory, points_in_memory)
 CGAL_add_named_parameter(error_message_t, error_message, error_message)
 CGAL_add_named_parameter(field_origin_t, field_origin, field_origin)
+CGAL_add_named_parameter(clamp_negative_t, clamp_negative, clamp_negative)
+CGAL_add_named_parameter(coordinate_properties_t, coordinate_properties, coordinate_properties)
 CGAL_add_named_parameter(distance_property_t, distance_property, distance_property)
 CGAL_add_named_parameter(points_dataset_t, points_dataset, points_dataset)
 CGAL_add_named_parameter(distances_dataset_t, distances_dataset, distances_dataset)

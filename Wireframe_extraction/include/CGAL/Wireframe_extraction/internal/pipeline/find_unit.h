@@ -45,7 +45,7 @@ bool find_unit(const Surveyed_cloud& cloud, double given, const Extraction_optio
   if (!cloud.error().empty())
     return refuse(cloud.error());
   const double unit = given > 0. ? given : scale.sampling_distance;
-  if (!check_scale(cloud, scale, given, report)
+  if (!check_scale(cloud, scale, given, report) || !check_resolution(cloud, unit, report)
       || (cloud.has_distances() && !check_truncation(cloud, unit, options, report)))
     return refuse(report.message);
   report.sampling_distance = unit;

@@ -153,6 +153,7 @@ public:
 private:
   static constexpr std::size_t largest_number_of_objects = 10000;
   static constexpr int largest_depth = 4;
+  static constexpr std::size_t largest_number_of_columns = 4096;
   static constexpr std::uint64_t values_per_slab = std::uint64_t(1) << 20;
   static constexpr std::uint64_t rows_per_slab = 64;
   // no filter of HDF5 that is in use makes data smaller by more
@@ -248,11 +249,42 @@ private:
       if (base.is_valid() && is_number(base.get()) && array.shape.size() == 1)
         return read_ragged(dataset.get(), type.get(), array);
     }
-    if (!is_number(type.get()))
+    const bool is_structured = H5Tget_class(type.get()) == H5T_COMPOUND && array.shape.size() == 1;
+    if (!is_structured && !is_number(type.get()))
       return "holds no numbers; floating point numbers or integers are needed";
     std::uint64_t count = 0;
     const std::string reason = check_content(dataset.get(), type.get(), array.shape, count);
-    return reason.empty() ? read_all_rows(dataset.get(), array, count) : reason;
+    if (!reason.empty())
+      return reason;
+    return is_structured ? read_structures(dataset.get(), type.get(), array)
+                         : read_all_rows(dataset.get(), H5T_NATIVE_DOUBLE, array, count);
+  }
+
+  // What h5py writes of structured arrays: the numbers of each structure are a row, all else is passed over.
+  static std::string read_structures(hid_t dataset, hid_t file_type, Number_array& array)
+  {
+    const int number_of_members = H5Tget_nmembers(file_type);
+    std::vector<unsigned> numbers;
+    for (int i = 0; i < number_of_members; ++i)
+    {
+      const Hdf5_handle member(H5Tget_member_type(file_type, static_cast<unsigned>(i)), &H5Tclose);
+      if (member.is_valid() && is_number(member.get()))
+        numbers.push_back(static_cast<unsigned>(i));
+    }
+    if (numbers.empty() || numbers.size() > largest_number_of_columns)
+      return "holds no numbers; floating point numbers or integers are needed";
+    const Hdf5_handle type(H5Tcreate(H5T_COMPOUND, numbers.size() * sizeof(double)), &H5Tclose);
+    for (const unsigned i : numbers)
+    {
+      char* const name = H5Tget_member_name(file_type, i);
+      if (name == nullptr || H5Tinsert(type.get(), name, array.columns.size() * sizeof(double), H5T_NATIVE_DOUBLE) < 0)
+        return "has members that cannot be read: " + reason_of_library();
+      array.columns.push_back(name);
+      H5free_memory(name);
+    }
+    array.shape.push_back(numbers.size());
+    const std::vector<std::uint64_t> rows = {array.shape[0]};
+    return read_all_rows(dataset, type.get(), array, array.shape[0] * numbers.size(), &rows);
   }
 
   // whether an array of numbers can be as large as it says; gets the number of its values
@@ -299,7 +331,9 @@ private:
       + "): the file is truncated or damaged; get a complete copy of it";
   }
 
-  static std::string read_all_rows(hid_t dataset, Number_array& array, std::uint64_t count)
+  // `shape` is that of the data set, if it differs from that of the array
+  static std::string read_all_rows(hid_t dataset, hid_t type, Number_array& array, std::uint64_t count,
+                                   const std::vector<std::uint64_t>* shape = nullptr)
   {
     if (array.shape.empty() || count == 0)
       return array.shape.empty() ? "is a single number, not an array" : std::string();
@@ -311,8 +345,8 @@ private:
       const std::size_t done = array.values.size();
       array.values.resize(done + static_cast<std::size_t>(step * row));
       double* const target = array.values.data() + done;
-      if (!read_slab(dataset, array.shape, first, step, [&](hid_t memory, hid_t space) {
-            return H5Dread(dataset, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, target);
+      if (!read_slab(dataset, shape != nullptr ? *shape : array.shape, first, step, [&](hid_t memory, hid_t space) {
+            return H5Dread(dataset, type, memory, space, H5P_DEFAULT, target);
           }))
         return failed_at(first);
     }

@@ -81,13 +81,25 @@ private:
   std::string m_error;
 };
 
+// Numbers of one type among the bytes of an entry.
+struct Npy_field
+{
+  std::string name;
+  char kind = 'f';
+  std::size_t size = 0, offset = 0;
+  bool is_swapped = false;
+
+  // whether it is a number that can be read
+  bool is_number() const { return is_number_type(kind, size); }
+};
+
 // The header of a .npy file: a Python dictionary with exactly three entries.
 class Npy_header
 {
 public:
-  char kind = 'f';
-  std::size_t size = 0;
-  bool is_swapped = false, is_fortran_order = false;
+  std::vector<Npy_field> fields; // what is read of an entry: a single number, or the fields of a structure
+  std::size_t entry_size = 0;
+  bool is_structured = false, is_fortran_order = false;
   std::vector<std::uint64_t> shape;
 
   // returns what is wrong with it, nothing if all is well
@@ -151,24 +163,99 @@ private:
     return true;
   }
 
+  static std::string remedy()
+  {
+    return "; numbers of up to 64 bits are read: convert it with numpy.asarray(array, dtype=float)";
+  }
+
   std::string parse_type()
   {
-    const std::string remedy = "; float32 and float64 are read: convert it with numpy.asarray(array, dtype=float)";
     if (next() == '[')
-      return "is a structured array" + remedy;
+      return parse_structure();
     std::string type;
     if (!accept_string(type))
       return malformed();
     if (type.size() > 1 && type[1] == 'O')
-      return "is an array of Python objects, which only Python can read" + remedy;
-    const char order = type.empty() ? '\0' : type[0];
-    if (type.size() < 3 || (order != '<' && order != '>' && order != '|' && order != '=')
-        || !parse_count(std::string_view(type).substr(2), size) || !is_number_type(type[1], size)
-        || (order == '|' && size != 1))
-      return "has numbers of the type " + quote(type) + remedy;
-    kind = type[1];
-    is_swapped = (order == '<' && !is_host_little_endian()) || (order == '>' && is_host_little_endian());
+      return "is an array of Python objects, which only Python can read" + remedy();
+    Npy_field field;
+    if (!parse_type_of(type, field) || !field.is_number())
+      return "has numbers of the type " + quote(type) + remedy();
+    fields = {field};
+    entry_size = field.size;
     return std::string();
+  }
+
+  // Gets the type of a number, or of something else that has a size, as numpy writes it, such as <f8.
+  static bool parse_type_of(const std::string& type, Npy_field& field)
+  {
+    const char order = type.empty() ? '\0' : type[0];
+    std::size_t size = 0;
+    if (type.size() < 3 || (order != '<' && order != '>' && order != '|' && order != '=')
+        || !parse_count(std::string_view(type).substr(2), size) || size > largest_entry)
+      return false;
+    field.kind = type[1];
+    if (is_number_type(field.kind, size) && order == '|' && size != 1)
+      return false;
+    constexpr std::size_t size_of_letter = 4; // of texts, whose size is counted in letters
+    field.size = field.kind == 'U' ? size_of_letter * size : size;
+    field.is_swapped = (order == '<' && !is_host_little_endian()) || (order == '>' && is_host_little_endian());
+    return std::string_view("fiubcSUVmM").find(field.kind) != std::string_view::npos;
+  }
+
+  // [('x', '<f8'), ('normal', '<f4', (3,)), ...]: what is no number is passed over, and where a field has several, each
+  // is one that is called normal:0 and so on
+  std::string parse_structure()
+  {
+    is_structured = true;
+    accept('[');
+    while (!accept(']'))
+    {
+      Npy_field field;
+      std::string type;
+      std::uint64_t count = 1;
+      if (!accept('(') || !accept_string(field.name) || !accept(','))
+        return malformed();
+      if (next() == '[')
+        return "is a structured array within which there are others" + remedy();
+      if (!accept_string(type))
+        return malformed();
+      if (!parse_type_of(type, field))
+        return "has a field " + quote(field.name) + " of the type " + quote(type) + remedy();
+      if (accept(',') && next() == '(')
+      {
+        std::vector<std::uint64_t> sizes;
+        if (!parse_sizes(sizes) || !find_number(sizes, count))
+          return malformed();
+      }
+      if (!accept(')') || (!accept(',') && next() != ']'))
+        return malformed();
+      if (!add_field(field, count))
+        return "has entries that are too large" + remedy();
+    }
+    return fields.empty() ? "is a structured array without numbers" + remedy() : std::string();
+  }
+
+  static bool find_number(const std::vector<std::uint64_t>& sizes, std::uint64_t& count)
+  {
+    for (const std::uint64_t size : sizes)
+      if ((count *= (std::min)(size, std::uint64_t(largest_entry) + 1)) > largest_entry)
+        return false;
+    return true;
+  }
+
+  bool add_field(Npy_field field, std::uint64_t count)
+  {
+    if (field.size * count > largest_entry - entry_size)
+      return false;
+    const std::string name = field.name;
+    for (std::uint64_t i = 0; i < count && field.is_number(); ++i)
+    {
+      field.name = count == 1 ? name : name + ":" + std::to_string(i);
+      field.offset = entry_size + static_cast<std::size_t>(i) * field.size;
+      fields.push_back(field);
+    }
+    entry_size += static_cast<std::size_t>(count) * field.size;
+    return true;
   }
 
   std::string parse_order()
@@ -184,24 +271,28 @@ private:
     return malformed();
   }
 
-  std::string parse_shape()
+  std::string parse_shape() { return parse_sizes(shape) ? std::string() : malformed(); }
+
+  bool parse_sizes(std::vector<std::uint64_t>& sizes)
   {
     if (!accept('('))
-      return malformed();
+      return false;
     while (!accept(')'))
     {
       next();
       const std::size_t end = (std::min)(m_text.find_first_not_of("0123456789"), m_text.size());
       std::uint64_t count = 0;
-      if (!parse_count(m_text.substr(0, end), count) || shape.size() == 32)
-        return malformed();
-      shape.push_back(count);
+      if (!parse_count(m_text.substr(0, end), count) || sizes.size() == 32)
+        return false;
+      sizes.push_back(count);
       m_text.remove_prefix(end);
       if (!accept(',') && next() != ')')
-        return malformed();
+        return false;
     }
-    return std::string();
+    return true;
   }
+
+  static constexpr std::size_t largest_entry = std::size_t(1) << 16; // bytes
 
   std::string_view m_text;
 };
@@ -218,20 +309,23 @@ public:
     std::uint64_t count = 0;
     if (!read_header(header))
       return false;
-    if (!find_number_of_values(header.shape, count) || count > m_source.largest_rest() / header.size)
-      return fail("its header promises the shape " + shape_text(header.shape) + " of " + std::to_string(8 * header.size)
-                  + " bit numbers, but it has at most " + std::to_string(m_source.largest_rest())
+    if (!find_number_of_values(header.shape, count) || count > m_source.largest_rest() / header.entry_size)
+      return fail("its header promises the shape " + shape_text(header.shape) + " of "
+                  + std::to_string(8 * header.entry_size) + " bit " + (header.is_structured ? "entries" : "numbers")
+                  + ", but it has at most " + std::to_string(m_source.largest_rest())
                   + " bytes after the header: it is truncated or its header "
                     "is wrong; get a complete copy of the file");
     array.shape = header.shape;
     if (!read_values(header, count, array.values))
       return false;
+    if (header.is_structured)
+      name_columns(header, array);
     char byte;
     if (m_source.read(&byte, 1) != 0)
       return fail("holds more than the shape " + shape_text(header.shape) + " that its header promises");
     if (!m_source.error().empty())
       return fail(m_source.error());
-    if (header.is_fortran_order)
+    if (header.is_fortran_order && !header.is_structured)
       reorder(array);
     return true;
   }
@@ -281,19 +375,32 @@ private:
 
   bool read_values(const Npy_header& header, std::uint64_t count, std::vector<double>& values)
   {
-    static constexpr std::size_t values_per_chunk = 8192;
-    std::vector<char> bytes(values_per_chunk * header.size);
+    static constexpr std::size_t bytes_per_chunk = std::size_t(1) << 16;
+    const std::size_t size = header.entry_size;
+    const std::uint64_t entries_per_chunk = (std::max)(std::size_t(1), bytes_per_chunk / size);
+    std::vector<char> bytes(static_cast<std::size_t>(entries_per_chunk) * size);
     for (std::uint64_t done = 0; done < count;)
     {
-      const std::size_t wanted = static_cast<std::size_t>((std::min)(count - done, std::uint64_t(values_per_chunk)));
-      const std::size_t there = m_source.read(bytes.data(), wanted * header.size) / header.size;
+      const std::size_t wanted = static_cast<std::size_t>((std::min)(count - done, entries_per_chunk));
+      const std::size_t there = m_source.read(bytes.data(), wanted * size) / size;
       for (std::size_t i = 0; i < there; ++i)
-        values.push_back(load_number(header.kind, header.size, bytes.data() + i * header.size, header.is_swapped));
+        for (const Npy_field& field : header.fields)
+          values.push_back(
+            load_number(field.kind, field.size, bytes.data() + i * size + field.offset, field.is_swapped));
       done += there;
       if (there < wanted)
-        return fail_truncated("after " + std::to_string(done) + " of " + std::to_string(count) + " numbers");
+        return fail_truncated("after " + std::to_string(done) + " of " + std::to_string(count)
+                              + (header.is_structured ? " entries" : " numbers"));
     }
     return true;
+  }
+
+  // A structure is a row of its numbers. How the structures are arranged does not matter.
+  static void name_columns(const Npy_header& header, Number_array& array)
+  {
+    for (const Npy_field& field : header.fields)
+      array.columns.push_back(field.name);
+    array.shape = {array.values.size() / header.fields.size(), header.fields.size()};
   }
 
   // In Fortran's order the first index runs fastest, in ours the last one.

@@ -19,11 +19,13 @@
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CGAL {
@@ -37,6 +39,7 @@ struct Number_array
   std::vector<double> values;
   bool is_ragged = false;               // rows of different lengths, as many as the shape says
   std::vector<std::uint64_t> row_sizes; // of a ragged array
+  std::vector<std::string> columns;     // their names, if they have names
 };
 
 inline std::string shape_text(const std::vector<std::uint64_t>& shape)
@@ -101,49 +104,45 @@ public:
 
   bool read(Array_file& file, Sample_sink& sink)
   {
-    const std::string word = file.word_for_array();
-    const std::string points_name = m_options.points_dataset.empty() ? "points" : m_options.points_dataset;
-    const std::size_t points_index = find_name(file.names(), points_name);
-    if (points_index == file.names().size())
-      return fail(file.filename() + ": has no " + word + " " + quote(points_name) + "; it has: " + file.contents_text()
-                  + ". Name the one that holds the points (points_dataset)");
-    Rows rows;
+    std::string name, note;
     std::size_t distances_index;
-    m_has_distances = m_options.looks_for_distances()
-      && (m_options.needs_distances() || find_distances(file, m_options, distances_index));
-    if (find_rows(file, file.names()[points_index], rows))
+    m_has_distances = m_options.looks_for_distances() && find_distances(file, m_options, distances_index);
+    if (!find_points(file, name, note))
+      return false;
+    Rows rows;
+    if (find_rows(file, name, rows))
     {
-      sink.describe(m_options.distances != nullptr || m_has_distances, std::string());
+      sink.describe(m_options.distances != nullptr || m_has_distances, note);
       return read_by_rows(file, rows, sink);
     }
     Number_array points, distances, indices;
-    if (!file.read(file.names()[points_index], points, m_error))
+    if (!file.read(name, points, m_error))
       return false;
-    const std::string points_word = word + " " + quote(file.names()[points_index]);
-    if (!set_points(file.filename(), points_word, points, 3))
+    const std::string points_word = std::string(file.word_for_array()) + " " + quote(name);
+    if (!choose_columns(file.filename(), points_word, points, note))
       return false;
+    if (m_options.needs_distances() && !m_has_distances && !m_has_distance_column)
+      return fail(no_distances_text(file, m_options));
     if (m_has_distances && !read_distances(file, points, points_word, distances))
       return false;
-    sink.describe(m_options.distances != nullptr || m_has_distances, std::string());
+    sink.describe(m_options.distances != nullptr || m_has_distances || m_has_distance_column, note);
     return read_indices(file, points, points_word, indices)
       && hand_out(file.filename(), points, distances, indices, sink);
   }
 
-  // the same for a single array, whose fourth column holds the distances
+  // the same for a single array, which holds the distances, too, if there are any
   bool read(const std::string& filename, const Number_array& points, Sample_sink& sink)
   {
-    const std::uint64_t columns = points.shape.empty() ? 0 : points.shape.back();
-    const bool has_normals = columns == 6 && !m_options.needs_distances();
-    if (!set_points(filename, "array", points, columns == 4 ? 4 : has_normals ? 6 : 3))
+    std::string note;
+    if (!choose_columns(filename, "array", points, note))
       return false;
-    m_has_distances = columns == 4 && m_options.looks_for_distances();
-    if (!m_has_distances && m_options.needs_distances())
-      return fail(filename + ": its array has the shape " + shape_text(points)
+    if (!m_has_distance_column && m_options.needs_distances())
+      return fail(filename + ": its array has "
+                  + (points.columns.empty() ? "the shape " + shape_text(points) : "the fields " + join(points.columns))
                   + ", so it has points but no distances; give the distances as a separate file, or as a fourth "
                     "column, or both arrays in one .npz file"
                   + m_options.estimate_text());
-    sink.describe(m_options.distances != nullptr || m_has_distances,
-                  has_normals ? "the last three of its six columns are not looked at" : "");
+    sink.describe(m_options.distances != nullptr || m_has_distance_column, note);
     return hand_out(filename, points, Number_array(), Number_array(), sink);
   }
 
@@ -177,23 +176,110 @@ private:
     return false;
   }
 
-  bool set_points(const std::string& filename, const std::string& word, const Number_array& points,
-                  std::size_t number_of_columns)
+  // The name of the array of points: the one wanted, the usual one, or the only one that is there besides distances.
+  bool find_points(Array_file& file, std::string& name, std::string& note)
   {
-    m_number_of_columns = number_of_columns;
+    const std::string wanted = m_options.points_dataset.empty() ? "points" : m_options.points_dataset;
+    const std::vector<std::string>& names = file.names();
+    std::size_t index = find_name(names, wanted);
+    if (index == names.size() && m_options.points_dataset.empty())
+    {
+      std::size_t distances_index = names.size();
+      if (m_has_distances)
+        find_distances(file, m_options, distances_index);
+      if (names.size() == (m_has_distances ? 2 : 1))
+      {
+        index = distances_index == 0 ? 1 : 0;
+        note = std::string("the ") + file.word_for_array() + " " + quote(names[index]) + " is taken for the points";
+      }
+    }
+    if (index == names.size())
+      return fail(file.filename() + ": has no " + file.word_for_array() + " " + quote(wanted)
+                  + "; it has: " + file.contents_text() + ". Name the one that holds the points (points_dataset)");
+    name = names[index];
+    return true;
+  }
+
+  // Finds what the numbers of a row are: by the names of the columns if they have some, else by their number.
+  bool choose_columns(const std::string& filename, const std::string& word, const Number_array& points,
+                      std::string& note)
+  {
+    if (!points.columns.empty())
+      return choose_columns_by_name(filename, word, points, note);
+    const bool is_shape_of_points = !points.is_ragged && (points.shape.size() == 2 || points.shape.size() == 3);
+    m_number_of_columns = is_shape_of_points ? static_cast<std::size_t>(points.shape.back()) : 3;
+    const bool is_told = !m_options.coordinate_properties.empty() || number_of(m_options.distance_property) > 0;
     bool is_fine = false;
     if (points.is_ragged)
       is_fine =
         std::all_of(points.row_sizes.begin(), points.row_sizes.end(), [](std::uint64_t size) { return size % 3 == 0; });
     else
-      is_fine = (points.shape.size() == 2 || points.shape.size() == 3) && points.shape.back() == number_of_columns;
+      is_fine = is_shape_of_points && m_number_of_columns >= 3
+        && (is_told || m_number_of_columns < 5 || (m_number_of_columns == 6 && !m_options.needs_distances()));
     if (!is_fine)
       return fail(filename + ": its " + word + " has the shape " + shape_text(points)
                   + (points.is_ragged ? ", not all of multiples of three" : "")
-                  + "; points have the shape N x 3, or in patches B x N x 3"
-                  + (word == "array" ? ", or with their distances N x 4"
+                  + "; points have the shape N x 3, or in patches B x N x 3, or with their distances N x 4"
+                  + (word == "array" ? "; which columns are what, their numbers can tell (coordinate_properties, "
+                                       "distance_property)"
                                      : ". Name the one that holds the points (points_dataset)"));
-    m_number_of_points = points.values.size() / number_of_columns;
+    m_number_of_points = points.values.size() / m_number_of_columns;
+    if (points.is_ragged)
+      return true;
+    return choose_columns_by_number(filename, note);
+  }
+
+  // a number of a column, counted from 1; 0 if the text is none
+  static std::size_t number_of(const std::string& text)
+  {
+    std::size_t number = 0;
+    return parse_count(std::string_view(text), number) ? number : 0;
+  }
+
+  bool choose_columns_by_number(const std::string& filename, std::string& note)
+  {
+    const std::vector<std::string>& wanted = m_options.coordinate_properties;
+    for (std::size_t k = 0; k < wanted.size(); ++k)
+    {
+      const std::size_t number = number_of(wanted[k]);
+      if (number == 0 || number > m_number_of_columns)
+        return fail(filename + ": no column is named " + quote(wanted[k])
+                    + ", as the columns of its array are without "
+                      "names; give the numbers of those with x, y and z, from 1 to "
+                    + std::to_string(m_number_of_columns) + " (coordinate_properties)");
+      m_columns[k] = number - 1;
+    }
+    const std::size_t number = number_of(m_options.distance_property);
+    if (m_has_distances || !m_options.looks_for_distances())
+      return true;
+    m_has_distance_column = number > 0 ? number <= m_number_of_columns : m_number_of_columns == 4;
+    m_columns[3] = number > 0 ? number - 1 : 6 - m_columns[0] - m_columns[1] - m_columns[2];
+    if (!m_has_distance_column && m_number_of_columns == 6)
+      note += std::string(note.empty() ? "" : "; ") + "the last three of its six columns are not looked at";
+    return true;
+  }
+
+  // the fields of a structured array
+  bool choose_columns_by_name(const std::string& filename, const std::string& word, const Number_array& points,
+                              std::string& note)
+  {
+    const std::vector<std::string>& names = points.columns;
+    m_number_of_columns = names.size();
+    m_number_of_points = points.values.size() / m_number_of_columns;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      m_columns[k] = find_coordinate_name(names, k, m_options.coordinate_properties);
+      if (m_columns[k] == names.size())
+        return fail(filename + ": its " + word + " has no field "
+                    + quote(coordinate_name(k, m_options.coordinate_properties)) + "; it has: " + join(names)
+                    + ". Name those that hold the coordinates (coordinate_properties)");
+    }
+    if (m_has_distances || !m_options.looks_for_distances())
+      return true;
+    m_columns[3] = find_distance_name(names, m_options.distance_property);
+    m_has_distance_column = m_columns[3] < names.size();
+    if (!m_has_distance_column && !m_options.needs_distances())
+      note += (note.empty() || no_distance_note(names).empty() ? "" : "; ") + no_distance_note(names);
     return true;
   }
 
@@ -209,8 +295,10 @@ private:
   {
     std::vector<std::uint64_t> shape, distances_shape;
     std::uint64_t number_of_values;
-    if (m_options.reads_indices || !file.find_rows(points_name, shape) || (shape.size() != 2 && shape.size() != 3)
-        || shape.back() != 3 || !find_number_of_values(shape, number_of_values))
+    if (m_options.reads_indices || !m_options.coordinate_properties.empty()
+        || (m_options.needs_distances() && !m_has_distances) || !file.find_rows(points_name, shape)
+        || (shape.size() != 2 && shape.size() != 3) || shape.back() != 3
+        || !find_number_of_values(shape, number_of_values))
       return false;
     rows.points = points_name;
     rows.count = shape.front();
@@ -327,7 +415,8 @@ private:
     for (std::size_t i = 0; i < m_number_of_points; ++i)
     {
       const double* const p = points.values.data() + i * m_number_of_columns;
-      Distance_sample sample = {p[0], p[1], p[2], m_number_of_columns == 4 && m_has_distances ? p[3] : 0.};
+      Distance_sample sample = {p[m_columns[0]], p[m_columns[1]], p[m_columns[2]],
+                                m_has_distance_column ? p[m_columns[3]] : 0.};
       if (!distances.values.empty())
         sample.distance = distances.values[i];
       if (!indices.values.empty())
@@ -341,7 +430,9 @@ private:
   const Cloud_reader_options& m_options;
   Sample_filter m_filter;
   std::size_t m_number_of_columns = 3, m_number_of_points = 0;
-  bool m_has_distances = true; // of its own
+  std::array<std::size_t, 4> m_columns = {{0, 1, 2, 3}};
+  bool m_has_distances = false;       // in an array of their own
+  bool m_has_distance_column = false; // beside the coordinates
   std::string m_error;
 };
 

@@ -14,6 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Chunked_cloud_reader.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Chunked_input.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Lzf_decoder.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_filter.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Sample_sink.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/property_names.h>
@@ -36,8 +37,8 @@ namespace CGAL {
 namespace IO {
 namespace internal {
 
-// Reads the points and distances of a file of the Point Cloud Library, ascii or binary, and hands them out chunk
-// by chunk.
+// Reads the points and distances of a file of the Point Cloud Library, ascii, binary or compressed, and hands them out
+// chunk by chunk.
 class Pcd_cloud_reader : private Chunked_cloud_reader
 {
 public:
@@ -56,13 +57,20 @@ public:
     const bool is_none_found = m_options.looks_for_distances() && m_number_of_wanted == 3;
     sink.describe(m_options.distances != nullptr || m_number_of_wanted == 4,
                   is_none_found ? no_distance_note(m_names) : std::string());
-    return (m_is_binary ? read_binary(sink) : read_ascii(sink)) && m_filter.is_cloud_usable(m_filename, m_error);
+    return read_points(sink) && m_filter.is_cloud_usable(m_filename, m_error);
   }
 
   using Chunked_cloud_reader::filter;
   using Chunked_cloud_reader::error;
 
 private:
+  enum class Kind
+  {
+    ASCII,
+    BINARY,
+    COMPRESSED
+  };
+
   struct Field
   {
     std::size_t size = 4, count = 1;
@@ -71,6 +79,8 @@ private:
   };
 
   static constexpr std::size_t largest_count = 1000000;
+  // the field that fills gaps between others; PCL leaves it out where it compresses
+  static constexpr const char* padding_name = "_";
 
   bool read_header()
   {
@@ -123,12 +133,9 @@ private:
   bool read_kind(const std::vector<std::string_view>& words)
   {
     const std::string_view kind = words.size() == 2 ? words[1] : std::string_view();
-    m_is_binary = (kind == "binary");
-    if (kind == "binary_compressed")
-      return fail_at_line("compressed PCD files are not read; pcl_convert_pcd_ascii_binary (Debian: pcl-tools) "
-                          "writes binary ones: pcl_convert_pcd_ascii_binary IN.pcd OUT.pcd 1");
-    return m_is_binary || kind == "ascii"
-      || fail_at_line("DATA is to be followed by ascii or binary, found " + quote(kind));
+    m_kind = kind == "binary" ? Kind::BINARY : kind == "binary_compressed" ? Kind::COMPRESSED : Kind::ASCII;
+    return m_kind != Kind::ASCII || kind == "ascii"
+      || fail_at_line("DATA is to be followed by ascii, binary or binary_compressed, found " + quote(kind));
   }
 
   bool read_properties(const std::vector<std::string_view>& words)
@@ -159,22 +166,23 @@ private:
     {
       m_fields[i].offset = m_point_size;
       m_fields[i].column = m_number_of_columns;
-      m_point_size += m_fields[i].size * m_fields[i].count;
+      if (m_kind != Kind::COMPRESSED || m_names[i] != padding_name)
+        m_point_size += m_fields[i].size * m_fields[i].count;
       m_number_of_columns += m_fields[i].count;
     }
     m_number_of_wanted = m_options.looks_for_distances() ? 4 : 3;
-    static const char* const coordinates[] = {"x", "y", "z"};
+    const std::vector<std::string>& wanted = m_options.coordinate_properties;
     for (std::size_t i = 0; i < m_number_of_wanted; ++i)
     {
       const std::size_t index =
-        i < 3 ? find_name(m_names, coordinates[i]) : find_distance_name(m_names, m_options.distance_property);
+        i < 3 ? find_coordinate_name(m_names, i, wanted) : find_distance_name(m_names, m_options.distance_property);
       if (index == m_names.size() && i == 3 && !m_options.needs_distances())
       {
         m_number_of_wanted = 3;
         break;
       }
       if (index == m_names.size())
-        return fail(missing_field_text(i < 3 ? coordinates[i] : m_options.distance_property, i == 3));
+        return fail(missing_field_text(i < 3 ? coordinate_name(i, wanted) : m_options.distance_property, i == 3));
       const Field& field = m_fields[index];
       if (field.count != 1)
         return fail(m_filename + ": the field " + quote(m_names[index]) + " has " + std::to_string(field.count)
@@ -195,10 +203,22 @@ private:
     else
       text += quote(name);
     text += "; it has: " + join(m_names);
-    if (is_distance)
+    if (!is_distance)
+      text += ". Name those that hold the coordinates (coordinate_properties)";
+    else
       text += ". Name the one that holds the distance (distance_property), or give the distances as a separate file"
         + m_options.estimate_text();
     return text;
+  }
+
+  bool read_points(Sample_sink& sink)
+  {
+    switch (m_kind)
+    {
+    case Kind::BINARY: return read_binary(sink);
+    case Kind::COMPRESSED: return read_compressed(sink);
+    default: return read_ascii(sink);
+    }
   }
 
   bool read_ascii(Sample_sink& sink)
@@ -234,15 +254,79 @@ private:
     {
       if (m_input.require(m_point_size) < m_point_size)
         return fail_truncated(after_points(done));
-      std::array<double, 4> values = {{0., 0., 0., 0.}};
-      for (std::size_t i = 0; i < m_number_of_wanted; ++i)
-        values[i] = load_number(to_lower(std::string_view(&m_wanted[i].type, 1))[0], m_wanted[i].size,
-                                m_input.data() + m_wanted[i].offset, !is_host_little_endian());
-      m_input.consume(m_point_size);
-      if (!keep({values[0], values[1], values[2], values[3]}, 0, sink))
+      const char* const point = m_input.data();
+      if (!keep(load_sample([&](const Field& field) { return point + field.offset; }), 0, sink))
         return false;
+      m_input.consume(m_point_size);
     }
-    return flush(sink) && (m_input.require(m_point_size) < m_point_size || fail_at_end());
+    return flush(sink) && (is_rest_padding() || fail_at_end());
+  }
+
+  // Compressed points are one block, in which each field has the numbers of all points, one behind the other.
+  bool read_compressed(Sample_sink& sink)
+  {
+    std::string packed;
+    std::uint64_t size = 0;
+    if (!read_packed(packed, size))
+      return false;
+    const Lzf_decoder decoder(reinterpret_cast<const unsigned char*>(packed.data()), packed.size());
+    std::size_t unpacked_size = 0;
+    if (!decoder.find_size(unpacked_size) || unpacked_size != size)
+      return fail(m_filename + ": its compressed points are damaged; get a complete copy of the file");
+    if (m_point_size == 0 || size % m_point_size != 0 || size / m_point_size != m_number_of_points)
+      return fail(m_filename + ": header promises " + std::to_string(m_number_of_points) + " points of "
+                  + std::to_string(m_point_size) + " bytes, but " + std::to_string(size)
+                  + " bytes were compressed: its header is wrong; correct it");
+    std::vector<char> bytes(unpacked_size);
+    decoder.decode(reinterpret_cast<unsigned char*>(bytes.data()));
+    const std::size_t count = static_cast<std::size_t>(m_number_of_points);
+    for (std::size_t k = 0; k < count; ++k)
+      if (!keep(load_sample([&](const Field& field) { return bytes.data() + field.offset * count + k * field.size; }),
+                0, sink))
+        return false;
+    return flush(sink) && (is_rest_padding() || fail_at_end());
+  }
+
+  // Gets the compressed bytes, and how many they were before. Memory goes to what is there.
+  bool read_packed(std::string& packed, std::uint64_t& size)
+  {
+    constexpr std::size_t size_of_sizes = 8;
+    if (m_input.require(size_of_sizes) < size_of_sizes)
+      return fail_truncated("before its compressed points");
+    const std::uint64_t packed_size = load_little_endian<std::uint32_t>(m_input.data());
+    size = load_little_endian<std::uint32_t>(m_input.data() + 4);
+    m_input.consume(size_of_sizes);
+    while (packed.size() < packed_size)
+    {
+      const std::size_t step = m_input.require(
+        static_cast<std::size_t>((std::min)(packed_size - packed.size(), std::uint64_t(Chunked_input::chunk_size))));
+      if (step == 0)
+        return fail_truncated("after " + std::to_string(packed.size()) + " of " + std::to_string(packed_size)
+                              + " bytes of compressed points");
+      packed.append(m_input.data(), step);
+      m_input.consume(step);
+    }
+    return true;
+  }
+
+  // `place(field)` is where the number of a field starts
+  template <class Place>
+  Distance_sample load_sample(const Place& place) const
+  {
+    std::array<double, 4> values = {{0., 0., 0., 0.}};
+    for (std::size_t i = 0; i < m_number_of_wanted; ++i)
+      values[i] = load_number(to_lower(std::string_view(&m_wanted[i].type, 1))[0], m_wanted[i].size, place(m_wanted[i]),
+                              !is_host_little_endian());
+    return {values[0], values[1], values[2], values[3]};
+  }
+
+  // PCL fills its binary files with zero bytes, up to the end of a page of memory
+  bool is_rest_padding()
+  {
+    for (std::size_t step; (step = m_input.require(Chunked_input::chunk_size)) > 0; m_input.consume(step))
+      if (std::any_of(m_input.data(), m_input.data() + step, [](char byte) { return byte != 0; }))
+        return false;
+    return true;
   }
 
   // a header that promises too little would drop points silently
@@ -262,7 +346,7 @@ private:
   std::array<Field, 4> m_wanted;
   std::size_t m_number_of_wanted = 4, m_point_size = 0, m_number_of_columns = 0;
   std::uint64_t m_number_of_points = 0;
-  bool m_is_binary = false;
+  Kind m_kind = Kind::ASCII;
 };
 
 } // namespace internal

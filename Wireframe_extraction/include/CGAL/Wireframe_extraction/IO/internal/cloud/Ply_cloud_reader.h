@@ -123,18 +123,19 @@ private:
     const Ply_element& vertex = m_header.elements[m_vertex_element];
     const std::vector<std::string> names = vertex.property_names();
     m_number_of_wanted = m_options.looks_for_distances() ? 4 : 3;
-    static const char* const coordinates[] = {"x", "y", "z"};
+    const std::vector<std::string>& wanted = m_options.coordinate_properties;
     for (std::size_t i = 0; i < m_number_of_wanted; ++i)
     {
       const std::size_t index =
-        i < 3 ? find_name(names, coordinates[i]) : find_distance_name(names, m_options.distance_property);
+        i < 3 ? find_coordinate_name(names, i, wanted) : find_distance_name(names, m_options.distance_property);
       if (index == names.size() && i == 3 && !m_options.needs_distances())
       {
         m_number_of_wanted = 3;
         break;
       }
       if (index == names.size())
-        return fail(missing_property_text(i < 3 ? coordinates[i] : m_options.distance_property, i == 3, names));
+        return fail(
+          missing_property_text(i < 3 ? coordinate_name(i, wanted) : m_options.distance_property, i == 3, names));
       if (vertex.properties[index].is_list)
         return fail(m_filename + ": the vertex property " + quote(names[index])
                     + " is a list; a single number per point is needed");
@@ -156,7 +157,9 @@ private:
     else
       text += quote(name);
     text += "; they have: " + join(names);
-    if (is_distance)
+    if (!is_distance)
+      text += ". Name those that hold the coordinates (coordinate_properties)";
+    else
       text += ". Name the one that holds the distance (distance_property), or give the distances "
               "as a separate file"
         + m_options.estimate_text();

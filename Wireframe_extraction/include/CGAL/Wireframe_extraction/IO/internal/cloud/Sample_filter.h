@@ -15,6 +15,7 @@
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 #include <CGAL/Wireframe_extraction/policies.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -45,12 +46,14 @@ struct Separate_distances
 
 struct Cloud_reader_options
 {
-  std::string distance_property; // empty: the first known one
-  std::string points_dataset;    // empty: the usual one
-  std::string distances_dataset; // empty: the distance property
-  std::string indices_dataset;   // empty: the first known one, if there is one
+  std::vector<std::string> coordinate_properties; // of x, y and z; empty: the usual ones
+  std::string distance_property;                  // empty: the first known one
+  std::string points_dataset;                     // empty: the usual one
+  std::string distances_dataset;                  // empty: the distance property
+  std::string indices_dataset;                    // empty: the first known one, if there is one
   bool reads_indices = false;
   bool skip_invalid = false;
+  bool clamp_negative = false;                                     // whether distances below zero count as zero
   double largest_magnitude = (std::numeric_limits<double>::max)(); // what the number type can hold
   bool may_be_estimated = false;                                   // whether the caller can do without distances
   const Separate_distances* distances = nullptr; // if set, the cloud's own distances are not looked at
@@ -97,6 +100,8 @@ public:
         return false;
       sample.distance = m_options.distances->values[index];
     }
+    if (m_options.clamp_negative && is_usable(sample.distance))
+      clamp(sample.distance);
     if (is_usable(sample.x) && is_usable(sample.y) && is_usable(sample.z) && is_usable(sample.distance)
         && sample.distance >= 0.)
       return true;
@@ -120,8 +125,14 @@ public:
       error = filename + ": holds " + plural(m_number_of_samples, "point", "points") + ", but "
         + m_options.distances->filename + " holds "
         + plural(m_options.distances->values.size(), "distance", "distances") + "; each point needs exactly one";
+    else if (-m_most_negative > largest_negative_share * m_largest)
+      error = filename + ": its most negative distance is " + number_to_string(m_most_negative) + ", the largest "
+        + number_to_string(m_largest)
+        + "; clamp_negative(true) is for distances a little below zero. Are they signed? Then write the magnitudes";
     else if (number_of_invalid() > 0 && !m_options.skip_invalid)
-      error = filename + ": " + invalid_text() + ". Repair the file, or leave such points out by skip_invalid(true)";
+      error = filename + ": " + invalid_text() + ". Repair the file, or leave such points out by skip_invalid(true)"
+        + (m_negative_distances > 0 ? ", or let distances a little below zero count as zero by clamp_negative(true)"
+                                    : "");
     else if (number_of_invalid() == m_number_of_samples)
       error = filename + ": no point is left after skipping: " + invalid_text() + ". Repair the file";
     else
@@ -130,6 +141,16 @@ public:
   }
 
 private:
+  // A regressor predicts a little less than zero where it should be zero; distances that have signs are something else.
+  static constexpr double largest_negative_share = 0.1;
+
+  void clamp(double& distance)
+  {
+    m_most_negative = (std::min)(m_most_negative, distance);
+    m_largest = (std::max)(m_largest, distance);
+    distance = (std::max)(distance, 0.);
+  }
+
   bool is_usable(double value) const { return std::isfinite(value) && std::abs(value) <= m_options.largest_magnitude; }
 
   void count_invalid(const Distance_sample& sample, std::size_t index, std::size_t line)
@@ -178,6 +199,7 @@ private:
   const Cloud_reader_options& m_options;
   std::size_t m_number_of_samples = 0;
   std::size_t m_invalid_coordinates = 0, m_invalid_distances = 0, m_negative_distances = 0;
+  double m_most_negative = 0., m_largest = 0.; // of the distances that are clamped
   std::string m_first_invalid, m_distance_place;
 };
 

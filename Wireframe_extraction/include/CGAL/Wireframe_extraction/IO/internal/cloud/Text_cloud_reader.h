@@ -95,20 +95,17 @@ private:
       const std::string_view text = std::string_view(comment).substr(title == std::string::npos ? 0 : title + 1);
       Text_table::split_by(Text_table::find_separator(text), text, words);
       const std::vector<std::string> names(words.begin(), words.end());
-      if (names.size() == number_of_columns && find_coordinate(names, 0) < names.size()
-          && find_coordinate(names, 1) < names.size() && find_coordinate(names, 2) < names.size())
+      if (names.size() == number_of_columns && are_coordinates_among(names))
         m_names = names;
     }
   }
 
-  // x, y or z, or as ParaView calls them
-  static std::size_t find_coordinate(const std::vector<std::string>& names, std::size_t k)
+  bool are_coordinates_among(const std::vector<std::string>& names) const
   {
-    for (const std::string& name :
-         {std::string(1, static_cast<char>('x' + k)), "Points:" + std::to_string(k), "Points_" + std::to_string(k)})
-      if (find_name(names, name) < names.size())
-        return find_name(names, name);
-    return names.size();
+    for (std::size_t k = 0; k < 3; ++k)
+      if (find_coordinate_name(names, k, m_options.coordinate_properties) == names.size())
+        return false;
+    return true;
   }
 
   bool find_columns(const std::vector<std::string_view>& fields)
@@ -136,22 +133,41 @@ private:
 
   bool find_coordinate_columns()
   {
-    if (m_names.empty())
+    const std::vector<std::string>& wanted = m_options.coordinate_properties;
+    if (m_names.empty() && wanted.empty())
       return true; // they are the first
     for (std::size_t i = 0; i < 3; ++i)
     {
-      m_columns[i] = find_coordinate(m_names, i);
-      if (m_columns[i] == m_names.size())
-        return fail_at_names(
-          "the columns of x, y and z cannot all be found; name them so, or leave out the line of names "
-          "if the first three columns are the coordinates");
+      m_columns[i] = m_names.empty() ? column_of_number(wanted[i]) : find_coordinate_name(m_names, i, wanted);
+      if (m_columns[i] < m_number_of_columns)
+        continue;
+      if (m_names.empty())
+        return m_table.fail_at_line("no column is named " + quote(wanted[i])
+                                    + ", as the file's columns are without "
+                                      "names; give the numbers of those with x, y and z, from 1 to "
+                                    + std::to_string(m_number_of_columns) + " (coordinate_properties)");
+      if (!wanted.empty())
+        return fail_at_names("no column is named " + quote(wanted[i]) + " (coordinate_properties)");
+      return fail_at_names("the columns of x, y and z cannot all be found; name them (coordinate_properties), or leave "
+                           "out the line of names if the first three columns are the coordinates");
     }
     return true;
   }
 
+  // of a column that is named by its number, counted from 1; as many as there are if it is none
+  std::size_t column_of_number(const std::string& text) const
+  {
+    std::size_t number = 0;
+    return parse_count(std::string_view(text), number) && number >= 1 && number <= m_number_of_columns
+      ? number - 1
+      : m_number_of_columns;
+  }
+
   bool find_distance_column(const std::vector<std::string_view>& fields)
   {
-    if (!(m_names.empty() ? find_distance_column_by_number(fields) : find_distance_column_by_name()))
+    if (!(!m_names.empty()                            ? find_distance_column_by_name()
+            : m_options.coordinate_properties.empty() ? find_distance_column_by_number(fields)
+                                                      : find_distance_column_beside_coordinates()))
       return false;
     if (m_number_of_wanted == 4)
       m_filter.set_distance_place(" in column " + std::to_string(m_columns[3] + 1)
@@ -206,6 +222,29 @@ private:
                                   + " (distance_property), or put a line of names "
                                     "first");
     m_columns[3] = number - 1;
+    return true;
+  }
+
+  // the same where the columns of the coordinates are known by their numbers
+  bool find_distance_column_beside_coordinates()
+  {
+    const std::string& wanted = m_options.distance_property;
+    m_columns[3] = !wanted.empty() ? column_of_number(wanted)
+      : m_number_of_columns == 4   ? other_column()
+                                   : m_number_of_columns;
+    const bool is_coordinate =
+      std::find(m_columns.begin(), m_columns.begin() + 3, m_columns[3]) < m_columns.begin() + 3;
+    if (m_columns[3] < m_number_of_columns && !is_coordinate)
+      return true;
+    if (m_options.needs_distances())
+      return m_table.fail_at_line(wanted.empty()
+                                    ? "the columns are without names; say which one holds the distance by its "
+                                      "number, counted from 1 (distance_property)"
+                                      + m_options.estimate_text()
+                                    : "no column but those of the coordinates is named " + quote(wanted)
+                                      + ", as the file's columns are without names; give the number of the one with "
+                                        "the distance (distance_property)");
+    leave_out_distances("no column is known to be a distance, so the file has none");
     return true;
   }
 

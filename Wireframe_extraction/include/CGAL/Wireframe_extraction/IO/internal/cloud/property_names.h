@@ -64,6 +64,25 @@ inline std::size_t find_distance_name(const std::vector<std::string>& names, con
   return names.size();
 }
 
+// index of x, y or z (`k` is 0, 1 or 2): of the name that is wanted, if one is, else also as ParaView calls them
+inline std::size_t find_coordinate_name(const std::vector<std::string>& names, std::size_t k,
+                                        const std::vector<std::string>& wanted = std::vector<std::string>())
+{
+  if (k < wanted.size())
+    return find_name(names, wanted[k]);
+  for (const std::string& name :
+       {std::string(1, static_cast<char>('x' + k)), "Points:" + std::to_string(k), "Points_" + std::to_string(k)})
+    if (find_name(names, name) < names.size())
+      return find_name(names, name);
+  return names.size();
+}
+
+// what a coordinate is called in messages
+inline std::string coordinate_name(std::size_t k, const std::vector<std::string>& wanted)
+{
+  return k < wanted.size() ? wanted[k] : std::string(1, static_cast<char>('x' + k));
+}
+
 // Whether a property is known to be something else than a distance: what scanners and other programs write of a point.
 inline bool is_other_name(const std::string& name)
 {

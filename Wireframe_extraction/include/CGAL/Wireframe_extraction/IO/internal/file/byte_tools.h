@@ -13,9 +13,11 @@
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_FILE_BYTE_TOOLS_H
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <string>
 
 namespace CGAL {
@@ -48,16 +50,30 @@ Number load_little_endian(const char* bytes)
   return load_as<Number>(bytes, !is_host_little_endian());
 }
 
+// a floating point number of 16 bits, as IEEE 754 has it
+inline double half_to_double(std::uint16_t bits)
+{
+  const int exponent = (bits >> 10) & 31, fraction = bits & 1023;
+  double value = std::ldexp(fraction, -24); // subnormal, or zero
+  if (exponent == 31)
+    value = fraction == 0 ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::quiet_NaN();
+  else if (exponent > 0)
+    value = std::ldexp(1024 + fraction, exponent - 25);
+  return (bits & 0x8000u) != 0 ? -value : value;
+}
+
 // A number of a kind, 'f' (floating point), 'i' (integer) or 'u' (natural number), and a size in bytes, as
 // several formats name their types.
 inline bool is_number_type(char kind, std::size_t size)
 {
-  return kind == 'f' ? size == 4 || size == 8
+  return kind == 'f' ? size == 2 || size == 4 || size == 8
                      : (kind == 'i' || kind == 'u') && (size == 1 || size == 2 || size == 4 || size == 8);
 }
 
 inline double load_number(char kind, std::size_t size, const char* bytes, bool is_swapped)
 {
+  if (kind == 'f' && size == 2)
+    return half_to_double(load_as<std::uint16_t>(bytes, is_swapped));
   if (kind == 'f')
     return size == 4 ? load_as<float>(bytes, is_swapped) : load_as<double>(bytes, is_swapped);
   const bool is_signed = (kind == 'i');
