@@ -35,6 +35,7 @@ tool::Input input_of(const py::dict& values)
   read(values, "distances", input.distances);
   input.has_distances = values.contains("distances");
   read(values, "patches", input.are_patches);
+  read(values, "input_format", input.format);
   read(values, "coordinate_properties", input.coordinate_properties);
   read(values, "distance_property", input.distance_property);
   read(values, "points_dataset", input.points_dataset);

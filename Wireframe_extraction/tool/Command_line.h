@@ -7,12 +7,14 @@
 #include "Options.h"
 #include "built_in.h"
 #include "check_effects.h"
+#include "completion.h"
 
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <set>
 #include <string>
@@ -48,6 +50,15 @@ public:
                  "          extract_wireframe --batch clouds.txt --output-dir wireframes --format json --format step");
   }
 
+  // whether it is said what the coordinates are in
+  bool is_unit_given() const { return m_app.count("--unit") > 0; }
+
+  // the script with which a shell completes the command line
+  std::string completion_script() const
+  {
+    return m_options.completion == Completion::BASH ? bash_completion(m_app) : zsh_completion(m_app);
+  }
+
   // throws CLI::ParseError, also when the help or the version is asked for
   void parse(int argc, char** argv)
   {
@@ -62,11 +73,13 @@ public:
     }
     if (m_app.count("--splines-only") > 0)
       m_options.extraction.recognize_types = !m_has_splines_only;
+    m_options.has_configuration = m_app.count("--write-config") > 0;
     m_options.has_batch = m_app.count("--batch") > 0;
     if (m_options.has_batch)
       complete_batch();
     else
       check_files_are_given();
+    take_standard_streams();
     m_options.input.has_distances = m_app.count("--distances") > 0;
     m_options.input.sampling_distance = m_options.sampling_distance;
     check_clouds();
@@ -119,6 +132,13 @@ private:
                   "MeshLab, CloudCompare, or to go on from there")
       ->type_name("OUT.ply")
       ->group(group);
+    m_app
+      .add_option(
+        "--output-format", m_options.output_format,
+        "The format of -o -, the standard output, as the extension that stands for it; the summary goes to the "
+        "standard error then")
+      ->type_name("EXTENSION")
+      ->group(group);
     add_choice("--view", m_options.view,
                {{"isometric", View::ISOMETRIC}, {"front", View::FRONT}, {"right", View::RIGHT}, {"top", View::TOP}},
                "From where the picture of --png is taken, as in .svg", group);
@@ -135,6 +155,15 @@ private:
     add_boolean("--obj-splines", m_options.has_obj_splines,
                 "Write curves into .obj as free-form curves instead of polylines; not every program reads these",
                 group);
+    add_boolean("--dxf-splines", m_options.has_dxf_splines,
+                "Write circles, ellipses and their arcs that are tilted against the xy plane into .dxf as splines, for "
+                "programs that flatten them or put them elsewhere",
+                group);
+    add_number("--sampling-step", m_options.sampling_step, 0., infinity, false,
+               "How long the pieces of sampled curves may be, in the unit of CLOUD; otherwise 0.25 r", group, false);
+    add_number("--chord-tolerance", m_options.chord_tolerance, 0., infinity, false,
+               "How far sampled curves may be from their pieces, in the unit of CLOUD; a line is one piece then", group,
+               false);
     m_app
       .add_option("--stages", m_options.stages_folder,
                   "Write the result of each stage into this folder (made if missing), as coloured PLY "
@@ -155,6 +184,12 @@ private:
                "Where the distances come from: they are in CLOUD (or --distances), and it is an error if they are not; "
                "they are estimated from the points, whatever is in CLOUD; or they are estimated if there are none",
                group);
+    m_app
+      .add_option("--input-format", m_options.input.format,
+                  "The format of CLOUD, as the extension that stands for it, if the name of the file has another one; "
+                  "it is needed where CLOUD is -, the standard input")
+      ->type_name("EXTENSION")
+      ->group(group);
     CLI::Option* const distances =
       m_app
         .add_option(
@@ -300,6 +335,20 @@ private:
         "folder; the summary is summary-K-of-N.csv then");
   }
 
+  // - is the standard input or output
+  void take_standard_streams()
+  {
+    std::vector<std::string>& files = m_options.input.files;
+    if (std::count(files.begin(), files.end(), "-") > 0 && m_options.input.format.empty())
+      throw CLI::RequiresError("CLOUD -", "--input-format, such as --input-format ply");
+    std::replace(files.begin(), files.end(), std::string("-"), std::string("/dev/stdin"));
+    const auto& outputs = m_options.outputs;
+    if (std::count(outputs.begin(), outputs.end(), "-") > 0 && m_options.output_format.empty())
+      throw CLI::RequiresError("--output -", "--output-format, such as --output-format json");
+    std::string& format = m_options.output_format;
+    format.erase(0, format.find_first_not_of('.')); // .json is as good as json
+  }
+
   void check_clouds() const
   {
     const Input& input = m_options.input;
@@ -325,16 +374,23 @@ private:
 
   void check_files_are_given() const
   {
+    if (m_options.completion != Completion::NONE)
+      return;
+    const bool is_configuration_wanted_only = m_options.has_configuration && m_app.count("--output") == 0
+      && m_app.count("--html") == 0 && m_app.count("--png") == 0 && m_app.count("--write-field") == 0;
+    if (m_app.count("CLOUD") == 0 && is_configuration_wanted_only)
+      return;
     if (m_app.count("CLOUD") == 0)
       throw CLI::RequiredError("CLOUD");
     if (m_app.count("--output") == 0 && m_app.count("--html") == 0 && m_app.count("--png") == 0
-        && m_app.count("--write-field") == 0)
+        && m_app.count("--write-field") == 0 && m_app.count("--write-config") == 0)
       throw CLI::RequiredError("--output (or --html, or --png, or --write-field)");
   }
 
   void complete_batch()
   {
-    for (const char* const name : {"CLOUD", "--output", "--html", "--png", "--write-field", "--stages", "--distances"})
+    for (const char* const name : {"CLOUD", "--output", "--html", "--png", "--write-field", "--stages", "--distances",
+                                   "--input-format", "--output-format"})
       if (m_app.count(name) > 0)
         throw CLI::ExcludesError("--batch", name);
     if (m_options.batch.output_folder.empty())
@@ -394,7 +450,29 @@ private:
       ->capture_default_str();
     add_boolean("--quiet", m_options.is_quiet, "Print nothing but errors", group);
     m_app.set_help_flag("-h,--help", "Print this help")->group(group);
-    m_app.set_version_flag("--version", version_text(), "Print the version, and what is built in")->group(group);
+    add_configuration(group);
+    m_app.set_version_flag("-V,--version", version_text(), "Print the version, and what is built in")->group(group);
+  }
+
+  void add_configuration(const std::string& group)
+  {
+    m_app.allow_config_extras(CLI::config_extras_mode::error);
+    m_app
+      .set_config("--config", "",
+                  "Take options from FILE, one per line as in: regularize = true. The command line counts more")
+      ->type_name("FILE")
+      ->group(group);
+    m_app
+      .add_option("--write-config", m_options.configuration,
+                  "Write the options that are given, and as comments all others with their defaults, for --config")
+      ->type_name("OUT")
+      ->configurable(false)
+      ->group(group);
+    add_choice("--completion", m_options.completion,
+               {{"none", Completion::NONE}, {"bash", Completion::BASH}, {"zsh", Completion::ZSH}},
+               "Print the script with which a shell completes options: source <(extract_wireframe --completion bash)",
+               group)
+      ->configurable(false);
   }
 
   void add_skeleton()

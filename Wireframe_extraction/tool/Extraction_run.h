@@ -84,12 +84,14 @@ public:
     Cloud shown;
     if ((m_options.has_html || m_options.has_png) && !sample(*cloud, m_field, shown))
       throw Error(BAD_INPUT, with_option_names(cloud->error_message()));
-    m_outputs.write(wireframe, pictures(*cloud, shown, stages, wireframe));
+    std::string problems;
+    m_written = m_outputs.write(wireframe, pictures(*cloud, shown, stages, wireframe), problems);
     m_seconds.emplace_back("writing", seconds_since(begin));
     progress.clear();
     m_number_of_curves = wireframe.curves.size();
     if (!m_options.is_quiet)
       summarize(wireframe, stages);
+    throw_if(problems, INTERNAL_ERROR);
   }
 
   // what a batch tells of this cloud
@@ -240,7 +242,8 @@ private:
 
   Summary summary(const Wireframe& wireframe) const
   {
-    return summary_of(m_scale, wireframe, m_report, m_number_of_skipped + m_report.number_of_skipped_points);
+    return summary_of(m_scale, wireframe, m_report, m_number_of_skipped + m_report.number_of_skipped_points,
+                      m_command_line.is_unit_given() ? CGAL::IO::internal::symbol_of(m_options.unit) : std::string());
   }
 
   // notes on how the input was taken, and what looks odd
@@ -282,6 +285,8 @@ private:
     texts.unit = CGAL::IO::internal::symbol_of(m_options.unit);
     texts.program = "extract_wireframe " WIREFRAME_EXTRACTION_VERSION_STRING;
     texts.summary = summary(wireframe);
+    for (const auto& row : doubts_of(wireframe))
+      texts.summary.push_back(row);
     texts.seconds = m_seconds;
     texts.warnings = remarks();
     texts.parameters = m_command_line.parameters();
@@ -290,17 +295,15 @@ private:
 
   void summarize(const Wireframe& wireframe, const Stage_recorder& stages) const
   {
-    std::vector<std::string> files = m_options.outputs;
-    if (m_options.has_html)
-      files.push_back(m_options.html);
-    if (m_options.has_png)
-      files.push_back(m_options.png);
-    if (m_options.has_field)
-      files.push_back(m_options.field);
+    std::vector<std::string> files = m_written;
     files.insert(files.end(), stages.written_files().begin(), stages.written_files().end());
-    print_summary(std::cout, summary(wireframe), m_seconds, files);
+    const bool is_standard_output_taken = std::count(m_written.begin(), m_written.end(), "-") > 0;
+    std::ostream& out = is_standard_output_taken ? std::cerr : std::cout;
+    print_summary(out, summary(wireframe), m_seconds, files);
     for (const std::string& remark : remarks())
-      std::cout << remark << '\n';
+      out << remark << '\n';
+    for (const auto& row : doubts_of(wireframe))
+      print_row(out, row.first, row.second);
   }
 
   const Command_line& m_command_line;
@@ -314,7 +317,7 @@ private:
   std::size_t m_number_of_skipped = 0, m_number_of_curves = 0;
   double m_seconds_of_opening = 0.;
   std::vector<std::pair<std::string, double>> m_seconds;
-  std::vector<std::string> m_notes;
+  std::vector<std::string> m_notes, m_written;
 #ifdef CGAL_LINKED_WITH_TBB
   std::unique_ptr<tbb::global_control> m_thread_limit;
 #endif

@@ -4,6 +4,7 @@
 #define EXTRACT_WIREFRAME_OPTION_PARSER_H
 
 #include "Help_formatter.h"
+#include "nearest_name.h"
 #include "write_page.h"
 
 #include <CLI/CLI.hpp>
@@ -43,6 +44,41 @@ public:
         result.push_back({parameter.first->get_group(), parameter.first->get_name(), parameter.second(),
                           parameter.first->count() > 0});
     return result;
+  }
+
+  // Which option a word was meant to be that is none, as a question; nothing if none is near.
+  std::string suggestion(const std::string& word) const
+  {
+    std::vector<std::string> names;
+    for (const CLI::Option* const option : m_app.get_options())
+      for (const std::string& name : option->get_lnames())
+        names.push_back("--" + name);
+    const std::string name = word.substr(0, word.find('='));
+    const std::string nearest = name.compare(0, 2, "--") == 0 ? nearest_name(name, names)
+      : name.compare(0, 1, "-") == 0 && name.size() > 2       ? nearest_name("-" + name, names)
+                                                              : std::string();
+    return nearest.empty() ? std::string() : "; did you mean " + nearest + "?";
+  }
+
+  // The options as a file that --config reads: those that were given, and as comments the others with their defaults.
+  // What belongs to one run only is left out.
+  std::string configuration() const
+  {
+    std::string text, group;
+    for (const CLI::Option* const option : m_app.get_options())
+    {
+      const bool is_of_one_run = option->get_group() == "Many clouds" || option->get_type_name() == "DIR"
+        || option->get_type_name().compare(0, 3, "OUT") == 0;
+      if (!option->get_configurable() || option->get_lnames().empty() || is_of_one_run
+          || (option->count() == 0 && option->get_default_str().empty()))
+        continue;
+      if (option->get_group() != group)
+        text += "\n# " + option->get_group() + "\n";
+      group = option->get_group();
+      const std::string value = option->count() > 0 ? option->results().back() : option->get_default_str();
+      text += (option->count() > 0 ? "" : "# ") + option->get_lnames().front() + " = " + quoted(value) + "\n";
+    }
+    return text;
   }
 
   // The library speaks of its named parameters, the user of the tool knows them as options, by the
@@ -184,6 +220,13 @@ protected:
   CLI::App m_app;
 
 private:
+  // as TOML has it: in the quotes that are not in the text
+  static std::string quoted(const std::string& text)
+  {
+    const char quote = text.find('"') == std::string::npos ? '"' : '\'';
+    return quote + text + quote;
+  }
+
   static std::string with_underscores(std::string name)
   {
     for (char& c : name)

@@ -20,9 +20,21 @@ typedef CGAL::Wireframe_extraction::internal::Extraction_options Extraction_opti
 typedef CGAL::Wireframe_extraction::Length_unit Length_unit;
 typedef CGAL::Wireframe_extraction::Step_schema Step_schema;
 
+// whose script of completions is wanted
+enum class Completion
+{
+  NONE,
+  BASH,
+  ZSH
+};
+
 struct Options
 {
   Input input;
+  std::string output_format; // of what is written to the standard output
+  std::string configuration; // where the options go
+  bool has_configuration = false;
+  Completion completion = Completion::NONE;
   std::string stages_folder;
   std::vector<std::string> outputs;
   std::string html, png, field; // the last one gets the field that was estimated
@@ -34,7 +46,8 @@ struct Options
   double sampling_distance = 0.; // 0: to be estimated
   Length_unit unit = Length_unit::MILLIMETER;
   Step_schema step_schema = Step_schema::AP214;
-  bool has_obj_splines = false;
+  bool has_obj_splines = false, has_dxf_splines = false;
+  double sampling_step = 0., chord_tolerance = 0.; // 0: not given
   Extraction_options extraction;
   Batch_options batch;
 };

@@ -17,8 +17,10 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <iostream>
 #include <map>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -47,8 +49,9 @@ public:
     {
       if (name.empty())
         throw Error(USAGE_ERROR, "the name of an output file is empty");
-      check_extension(name);
-      check_writable(name);
+      check_extension(name, extension_of(name));
+      if (name != "-")
+        check_writable(name);
     }
     if (m_options.has_html)
       check_page();
@@ -58,26 +61,33 @@ public:
       check_field();
   }
 
-  static void check_extension(const std::string& name)
+  static void check_extension(const std::string& name, const std::string& extension)
   {
-    const std::string extension = CGAL::IO::internal::lower_extension(name);
     if (!has_format(extension))
       throw Error(USAGE_ERROR, name + ": " + why_unknown(extension));
   }
 
-  // All files are written, or none of them is: each takes its place only when all that follow have theirs.
-  void write(const Wireframe& wireframe, const std::vector<Picture>& pictures) const
+  // Each file is written as a whole or not at all. One that cannot be written stops no other one: returns the names of
+  // those that are written, and what is wrong with the others.
+  std::vector<std::string> write(const Wireframe& wireframe, const std::vector<Picture>& pictures,
+                                 std::string& problems) const
   {
     std::vector<Picture> files;
     for (const std::string& name : m_names)
       files.push_back({name, [this, &name, &wireframe](std::ostream& stream, std::string& error) {
-                         return write_in_format(CGAL::IO::internal::lower_extension(name), stream, wireframe, m_options,
-                                                error);
+                         return write_in_format(extension_of(name), stream, wireframe, m_options, error);
                        }});
     files.insert(files.end(), pictures.begin(), pictures.end());
-    std::string error;
-    if (!write_from(0, files, error))
-      throw Error(INTERNAL_ERROR, error);
+    std::vector<std::string> written;
+    for (const Picture& file : files)
+    {
+      std::string error;
+      if (file.name == "-" ? write_to_standard_output(file, error) : write(file, error))
+        written.push_back(file.name);
+      else
+        problems += (problems.empty() ? "" : "; ") + error;
+    }
+    return written;
   }
 
 private:
@@ -153,24 +163,35 @@ private:
       throw Error(USAGE_ERROR, error);
   }
 
-  static bool write_from(std::size_t first, const std::vector<Picture>& files, std::string& error)
+  // the extension that stands for the format of an output
+  std::string extension_of(const std::string& name) const
   {
-    if (first == files.size())
-      return true;
-    std::string own_error;
-    const bool is_written = CGAL::IO::internal::write_beside_and_rename(
-      files[first].name,
-      [&](std::ostream& stream, std::string& reason) {
-        if (files[first].write(stream, reason))
-          return write_from(first + 1, files, error);
-        if (!stream)
+    return name == "-" ? "." + CGAL::IO::internal::to_lower(m_options.output_format)
+                       : CGAL::IO::internal::lower_extension(name);
+  }
+
+  static bool write(const Picture& file, std::string& error)
+  {
+    return CGAL::IO::internal::write_beside_and_rename(
+      file.name,
+      [&file](std::ostream& stream, std::string& reason) {
+        const bool is_written = file.write(stream, reason);
+        if (!is_written && !stream)
           reason.clear(); // the system knows better why the stream takes nothing
-        return false;
+        return is_written;
       },
-      own_error);
-    if (error.empty())
-      error = own_error;
-    return is_written;
+      error);
+  }
+
+  // as a whole or not at all, here as well
+  static bool write_to_standard_output(const Picture& file, std::string& error)
+  {
+    std::ostringstream text;
+    if (!file.write(text, error))
+      return false;
+    if (!(std::cout << text.str() << std::flush))
+      error = "the standard output: cannot be written completely";
+    return static_cast<bool>(std::cout);
   }
 
   const Options& m_options;

@@ -32,6 +32,8 @@ inline bool writes(const Options& options, const std::vector<std::string>& exten
   std::vector<std::string> names = options.outputs;
   for (const std::string& format : options.batch.formats)
     names.push_back("OUT." + format);
+  if (!options.output_format.empty())
+    names.push_back("OUT." + options.output_format);
   return std::any_of(names.begin(), names.end(), [&extensions](const std::string& name) {
     const std::string extension = CGAL::IO::internal::lower_extension(name);
     return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
@@ -45,15 +47,22 @@ inline bool may_be_mesh(const Options& options)
     return true;
   if (options.input.are_patches || options.input.has_distances || options.input.files.empty())
     return false;
-  const std::string extension = CGAL::IO::internal::lower_extension(options.input.files.front());
+  const std::string extension = options.input.extension();
   return extension == ".stl" || extension == ".obj" || extension == ".off" || extension == ".ply";
 }
 
 inline void check_effects_on_outputs(const CLI::App& app, const Options& options)
 {
   require(app, "--view", options.has_png, "--png");
+  require(app, "--output-format", std::count(options.outputs.begin(), options.outputs.end(), "-") > 0, "-o -");
   require(app, "--step-schema", writes(options, {".step", ".stp"}), "an output .step or .stp");
   require(app, "--obj-splines", writes(options, {".obj"}), "an output .obj");
+  require(app, "--dxf-splines", writes(options, {".dxf"}), "an output .dxf");
+  const bool is_sampled = writes(options, {".ply", ".vtp", ".gltf", ".glb", ".svg", ".txt", ".cgal"})
+    || (writes(options, {".obj"}) && !options.has_obj_splines);
+  for (const char* const name : {"--sampling-step", "--chord-tolerance"})
+    require(app, name, is_sampled,
+            "an output of sampled curves: .obj .ply .vtp .gltf .glb .svg .polylines.txt .txt .cgal");
 }
 
 inline void check_effects_on_curves(const CLI::App& app, const Extraction_options& extraction)

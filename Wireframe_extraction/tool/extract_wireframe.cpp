@@ -7,6 +7,8 @@
 #include "Output_files.h"
 #include "run_batch.h"
 
+#include <CGAL/Wireframe_extraction/IO/internal/file/write_beside_and_rename.h>
+
 #ifdef EXTRACT_WIREFRAME_WITH_GLOG
 #include <glog/logging.h>
 #endif
@@ -16,6 +18,7 @@
 #include <functional>
 #include <iostream>
 #include <new>
+#include <ostream>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -60,7 +63,7 @@ int run_many(const Command_line& command_line, const Options& options)
   if (options.batch.number_of_jobs == 0)
     of_cloud.number_of_threads = (std::max)(options.number_of_threads, 1);
   for (const std::string& format : options.batch.formats)
-    Output_files<Kernel>::check_extension("--format ." + format);
+    Output_files<Kernel>::check_extension("--format ." + format, CGAL::IO::internal::lower_extension("OUT." + format));
   return run_batch(options.batch, [&](const std::string& cloud, const std::vector<std::string>& outputs) {
     Cloud_result result;
     of_cloud.input.files = {cloud};
@@ -83,6 +86,38 @@ int run_many(const Command_line& command_line, const Options& options)
   });
 }
 
+// what is wrong with the command line, and which option was meant if one is none
+std::string usage_text(const Command_line& command_line, int argc, char** argv, const CLI::ParseError& error)
+{
+  const std::string text = error.what();
+  const std::string unknown_in_file = "INI was not able to parse "; // what CLI11 says, and then the name
+  if (text.compare(0, unknown_in_file.size(), unknown_in_file) == 0)
+  {
+    const std::string name = text.substr(unknown_in_file.size());
+    return "the file of --config has no line for an option, but " + name + command_line.suggestion("--" + name);
+  }
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError))
+    for (int i = 1; i < argc; ++i)
+      if (text.find(argv[i]) != std::string::npos && !command_line.suggestion(argv[i]).empty())
+        return text + command_line.suggestion(argv[i]);
+  return text;
+}
+
+void write_configuration(const Command_line& command_line, const std::string& name)
+{
+  std::string error;
+  const bool is_written = CGAL::IO::internal::write_beside_and_rename(
+    name,
+    [&](std::ostream& stream, std::string&) {
+      stream << "# extract_wireframe " WIREFRAME_EXTRACTION_VERSION_STRING ": options for --config\n"
+             << command_line.configuration();
+      return static_cast<bool>(stream);
+    },
+    error);
+  if (!is_written)
+    throw Error(USAGE_ERROR, error);
+}
+
 int parse_and_run(int argc, char** argv)
 {
   Options options;
@@ -95,8 +130,17 @@ int parse_and_run(int argc, char** argv)
   {
     if (error.get_exit_code() == 0)
       return command_line.show_help_or_version(error);
-    throw Error(USAGE_ERROR, std::string(error.what()) + " (extract_wireframe --help tells more)");
+    throw Error(USAGE_ERROR, usage_text(command_line, argc, argv, error) + " (extract_wireframe --help tells more)");
   }
+  if (options.completion != Completion::NONE)
+  {
+    std::cout << command_line.completion_script();
+    return SUCCESS;
+  }
+  if (options.has_configuration)
+    write_configuration(command_line, options.configuration);
+  if (options.input.files.empty() && !options.has_batch)
+    return SUCCESS;
   return options.has_batch ? run_many(command_line, options) : run_one(command_line, options);
 }
 

@@ -31,8 +31,7 @@ Field_header field_header_of(const Input& input)
 {
   namespace io = CGAL::IO::internal;
   const std::string property = "distance"; // that is written
-  if (io::lower_extension(input.files.front()) != ".ply"
-      || (!input.distance_property.empty() && input.distance_property != property))
+  if (input.extension() != ".ply" || (!input.distance_property.empty() && input.distance_property != property))
     return Field_header();
   std::ifstream stream;
   std::string error;
@@ -57,7 +56,7 @@ public:
     : m_file(input.has_distances ? CGAL::IO::Distance_cloud_file(input.files.front(), input.distances, np)
                                  : CGAL::IO::Distance_cloud_file(input.files.front(), np))
   {
-    if (input.mesh == Mesh_choice::SCAN && is_mesh(input.files.front()))
+    if (input.mesh == Mesh_choice::SCAN && is_mesh(input))
       m_mesh_kind = "scan";
     if (!input.has_distances && input.field_origin != wireframe::Field_origin::ESTIMATED)
       m_field_header = field_header_of(input);
@@ -123,12 +122,32 @@ std::string read_patches(const Input& input, Cloud_in_memory& result, const Name
   return std::string();
 }
 
+// a folder given as a file
+std::string why_no_file(const Input& input)
+{
+  std::error_code code;
+  for (const std::string& name : input.files)
+    if (std::filesystem::is_directory(name, code))
+      return name
+        + ": is a directory, not a file; give a file in it, or a list of them: --batch LIST --output-dir DIR, where "
+          "LIST "
+          "has the name of a file in each line";
+  return std::string();
+}
+
 } // namespace
+
+std::string Input::extension() const
+{
+  namespace io = CGAL::IO::internal;
+  return format.empty() ? io::lower_extension(files.front()) : (format[0] == '.' ? "" : ".") + io::to_lower(format);
+}
 
 std::unique_ptr<Input_cloud> open_input(const Input& input, std::string& error)
 {
   const auto np = wireframe::parameters::skip_invalid(input.skip_invalid)
                     .field_origin(input.field_origin)
+                    .input_format(input.format)
                     .clamp_negative(input.clamp_negative)
                     .coordinate_properties(input.coordinate_properties)
                     .distance_property(input.distance_property)
@@ -136,7 +155,9 @@ std::unique_ptr<Input_cloud> open_input(const Input& input, std::string& error)
                     .distances_dataset(input.distances_dataset);
   const bool is_once_only =
     can_be_read_once_only(input.files.front()) || (input.has_distances && can_be_read_once_only(input.distances));
-  error = why_no_distances(input);
+  error = why_no_file(input);
+  if (error.empty())
+    error = why_no_distances(input);
   if (!error.empty())
     return std::make_unique<Cloud_in_memory>();
   if (is_mesh_to_sample(input, is_once_only))

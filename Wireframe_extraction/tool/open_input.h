@@ -29,6 +29,7 @@ struct Input
 {
   std::vector<std::string> files; // one, or patches
   std::string distances;          // a file of its own
+  std::string format;             // an extension; empty: that of the file
   bool has_distances = false, are_patches = false;
   std::vector<std::string> coordinate_properties; // none, or three
   std::string distance_property, points_dataset, distances_dataset, indices_dataset;
@@ -43,6 +44,9 @@ struct Input
   // is asked with the share that is done whether to go on while a mesh is sampled, or what can be
   // read only once is read
   std::function<bool(double)> callback;
+
+  // of the file, or what stands for it, in lower case and with the dot
+  std::string extension() const;
 
   // whether it is told where CLOUD has its distances
   bool names_distances() const { return !distance_property.empty() || !distances_dataset.empty(); }

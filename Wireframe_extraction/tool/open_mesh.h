@@ -16,7 +16,7 @@ namespace tool {
 std::string why_no_distances(const Input& input);
 
 // Whether a file has faces, as far as its beginning tells.
-bool is_mesh(const std::string& filename);
+bool is_mesh(const Input& input);
 
 // Whether the input is a mesh whose faces are to be looked at: it is none for its points and distances.
 bool is_mesh_to_sample(const Input& input, bool is_once_only);

@@ -39,10 +39,10 @@ inline std::string counted(std::size_t count, const std::string& one, const std:
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-// the curves of one kind, open and closed ones
+// the curves of one kind
 struct Curve_counts
 {
-  std::size_t open = 0, closed = 0;
+  std::size_t all = 0, closed = 0;
 };
 
 inline std::pair<const char*, const char*> kind_names(CGAL::Wireframe_curve_type type)
@@ -63,22 +63,26 @@ std::string curves_text(const CGAL::Wireframe<GeomTraits>& wireframe)
 {
   std::map<CGAL::Wireframe_curve_type, Curve_counts> counts;
   for (const auto& curve : wireframe.curves)
-    ++(curve.is_closed() ? counts[curve.type].closed : counts[curve.type].open);
+  {
+    ++counts[curve.type].all;
+    counts[curve.type].closed += curve.is_closed() ? 1 : 0;
+  }
   std::string text;
   for (const auto& kind : counts)
   {
     const auto names = kind_names(kind.first);
-    const Curve_counts& of_kind = kind.second;
-    text += (text.empty() ? "" : ", ") + counted(of_kind.open + of_kind.closed, names.first, names.second) + " ("
-      + std::to_string(of_kind.open) + " open, " + std::to_string(of_kind.closed) + " closed)";
+    text += (text.empty() ? "" : ", ") + counted(kind.second.all, names.first, names.second);
+    if (kind.first == CGAL::Wireframe_curve_type::BSPLINE && kind.second.closed > 0) // of others, the kind tells it
+      text += " (" + std::to_string(kind.second.closed) + " closed)";
   }
   return text;
 }
 
-// a length in the cloud's unit and in sampling distances
-inline std::string length_text(double length, double sampling_distance)
+// a length in the cloud's unit, which is named if it is known, and in sampling distances
+inline std::string length_text(double length, double sampling_distance, const std::string& unit)
 {
-  return short_number(length) + (sampling_distance > 0. ? " = " + short_number(length / sampling_distance) + " r" : "");
+  return short_number(length) + (unit.empty() ? "" : " " + unit)
+    + (sampling_distance > 0. ? " = " + short_number(length / sampling_distance) + " r" : "");
 }
 
 inline void print_row(std::ostream& out, const std::string& name, const std::string& text)
@@ -111,56 +115,62 @@ inline std::string times_text(const std::vector<std::pair<std::string, double>>&
 // the rows of a table: a name and a text each
 typedef std::vector<std::pair<std::string, std::string>> Summary;
 
-// how many curves are doubtful, and for each reason which ones; as many as a line has room for
+// How many curves are doubtful and which, the reasons, and what to do about it: three lines, or one if there are none.
 template <class GeomTraits>
-void add_doubts(const CGAL::Wireframe<GeomTraits>& wireframe, Summary& rows)
+Summary doubts_of(const CGAL::Wireframe<GeomTraits>& wireframe)
 {
   static constexpr std::size_t most_in_line = 15;
-  std::map<CGAL::Wireframe_doubt, std::vector<std::size_t>> curves;
-  std::size_t count = 0;
+  std::map<CGAL::Wireframe_doubt, std::size_t> reasons;
+  std::vector<std::size_t> doubtful;
   for (std::size_t i = 0; i < wireframe.curves.size(); ++i)
   {
-    count += wireframe.curves[i].is_doubtful() ? 1 : 0;
+    if (wireframe.curves[i].is_doubtful())
+      doubtful.push_back(i);
     for (const CGAL::Wireframe_doubt doubt : wireframe.curves[i].doubts)
-      curves[doubt].push_back(i);
+      ++reasons[doubt];
   }
-  rows.emplace_back("Doubtful", std::to_string(count) + " of " + counted(wireframe.curves.size(), "curve", "curves"));
-  for (const auto& reason : curves)
-  {
-    const std::vector<std::size_t>& indices = reason.second;
-    std::string text = to_string(reason.first) + (indices.size() == 1 ? ": curve " : ": curves ");
-    for (std::size_t k = 0; k < indices.size() && k < most_in_line; ++k)
-      text += (k == 0 ? "" : ", ") + std::to_string(indices[k]);
-    if (indices.size() > most_in_line)
-      text += " and " + std::to_string(indices.size() - most_in_line) + " more";
-    rows.emplace_back("Doubtful", text);
-  }
+  std::string text = std::to_string(doubtful.size()) + " of " + counted(wireframe.curves.size(), "curve", "curves");
+  for (std::size_t k = 0; k < doubtful.size() && k < most_in_line; ++k)
+    text += (k == 0 ? ": " : ", ") + std::to_string(doubtful[k]);
+  if (doubtful.size() > most_in_line)
+    text += " and " + std::to_string(doubtful.size() - most_in_line) + " more";
+  Summary rows = {{"Doubtful", text}};
+  if (doubtful.empty())
+    return rows;
+  text.clear();
+  for (const auto& reason : reasons)
+    text += (text.empty() ? "" : ", ") + to_string(reason.first) + " " + std::to_string(reason.second);
+  rows.emplace_back("Why", text);
+  rows.emplace_back("What to do", "look at them: --html OUT.html shows them alone, .json and .csv name their reasons");
+  return rows;
 }
 
 template <class GeomTraits>
 Summary summary_of(const Field_scale& scale, const CGAL::Wireframe<GeomTraits>& wireframe,
-                   const CGAL::Wireframe_extraction_report& report, std::size_t number_of_skipped)
+                   const CGAL::Wireframe_extraction_report& report, std::size_t number_of_skipped,
+                   const std::string& unit)
 {
   const double r = report.sampling_distance;
   Summary rows;
   rows.emplace_back("Points", points_text(report, number_of_skipped));
-  rows.emplace_back("r", short_number(r) + " (" + scale.origin_of_r + ")");
+  rows.emplace_back("r", short_number(r) + (unit.empty() ? "" : " " + unit) + " (" + scale.origin_of_r + ")");
   if (report.is_field_estimated)
     rows.emplace_back("Field",
-                      "estimated from the points, whose noise is " + length_text(report.point_noise, r) + "; "
+                      "estimated from the points, whose noise is " + length_text(report.point_noise, r, unit) + "; "
                         + counted(report.number_of_near_points, "point", "points") + " near features");
-  rows.emplace_back(
-    "Noise", length_text(report.noise, r) + (scale.origin_of_noise.empty() ? "" : " (" + scale.origin_of_noise + ")"));
+  rows.emplace_back("Noise",
+                    length_text(report.noise, r, unit)
+                      + (scale.origin_of_noise.empty() ? "" : " (" + scale.origin_of_noise + ")"));
   rows.emplace_back("Skeleton", counted(report.skeleton_size, "point", "points"));
   rows.emplace_back(
     "Corners",
     std::to_string(report.number_of_corners)
       + (report.number_of_free_ends == 0 ? "" : ", and " + std::to_string(report.number_of_free_ends) + " free ends"));
   rows.emplace_back("Curves", curves_text(wireframe));
-  add_doubts(wireframe, rows);
   for (const std::string& regularity : report.regularities)
     rows.emplace_back("Regular", regularity); // curves are counted from 0, as in the files
-  rows.emplace_back("Residuals", "rms " + length_text(report.rms, r) + ", largest " + length_text(report.max, r));
+  rows.emplace_back("Residuals",
+                    "rms " + length_text(report.rms, r, unit) + ", largest " + length_text(report.max, r, unit));
   return rows;
 }
 

@@ -11,6 +11,7 @@
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
+#include <optional>
 #include <ostream>
 #include <string>
 
@@ -39,7 +40,11 @@ bool write_in_format(const std::string& extension, std::ostream& stream, const C
   if (CGAL::IO::internal::is_cad_extension(extension))
     return write_cad(extension, stream, wireframe, options.unit, options.step_schema, error);
 #endif
-  const auto np = CGAL::Wireframe_extraction::parameters::error_message(&error).unit(options.unit);
+  const auto if_given = [](double value) { return value > 0. ? std::optional<double>(value) : std::nullopt; };
+  const auto np = CGAL::Wireframe_extraction::parameters::error_message(&error)
+                    .unit(options.unit)
+                    .sampling_step(if_given(options.sampling_step))
+                    .chord_tolerance(if_given(options.chord_tolerance));
   if (extension == ".json")
     return CGAL::IO::write_wireframe_json(stream, wireframe, np);
   if (extension == ".obj")
@@ -47,7 +52,7 @@ bool write_in_format(const std::string& extension, std::ostream& stream, const C
   if (extension == ".ply")
     return CGAL::IO::write_wireframe_ply(stream, wireframe, np);
   if (extension == ".dxf")
-    return CGAL::IO::write_wireframe_dxf(stream, wireframe, np);
+    return CGAL::IO::write_wireframe_dxf(stream, wireframe, np.dxf_splines(options.has_dxf_splines));
   if (extension == ".vtp")
     return CGAL::IO::write_wireframe_vtp(stream, wireframe, np);
   if (extension == ".gltf" || extension == ".glb")

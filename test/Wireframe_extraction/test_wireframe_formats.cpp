@@ -4,6 +4,7 @@
 #include <CGAL/Wireframe_extraction/IO/write_wireframe.h>
 
 #include "Comma_locale.h"
+#include "check_words.h"
 #include "minimal_traits.h"
 
 #include <CGAL/Wireframe_extraction/IO/internal/file/byte_tools.h>
@@ -190,6 +191,14 @@ Wireframe flat_wireframe()
   return wireframe;
 }
 
+// the same, whose planes DXF may not level
+Wireframe with_known_planes(Wireframe wireframe)
+{
+  for (Curve& curve : wireframe.curves)
+    curve.uncertainty.direction = 0.;
+  return wireframe;
+}
+
 void write_all(const std::string& folder)
 {
   const std::map<std::string, Wireframe> wireframes = {{"near", near_wireframe()},
@@ -204,7 +213,8 @@ void write_all(const std::string& folder)
   {
     write(named.first + ".json", named.second, parameters::sampling_step(0.1));
     for (const std::string& extension : extensions)
-      write(named.first + extension, named.second, parameters::sampling_step(0.1));
+      write(named.first + extension, extension == ".dxf" ? with_known_planes(named.second) : named.second,
+            parameters::sampling_step(0.1));
     write(named.first + "_splines.obj", named.second, parameters::obj_splines(true));
   }
   const std::vector<std::pair<std::string, Length_unit>> units = {
@@ -326,7 +336,7 @@ Point dxf_conic_point(const std::string& name, const Dxf_numbers& numbers, doubl
 // every entity is where its curve is
 void test_dxf_geometry()
 {
-  const Wireframe wireframe = near_wireframe();
+  const Wireframe wireframe = with_known_planes(near_wireframe());
   std::ostringstream stream;
   assert(CGAL::IO::write_wireframe_dxf(stream, wireframe));
   std::vector<std::pair<std::string, Dxf_numbers>> entities;
@@ -354,12 +364,14 @@ void test_dxf_geometry()
           points.emplace_back(numbers.at(10)[j], numbers.at(20)[j], numbers.at(30)[j]);
         assert(points == curve.spline.control_points() && numbers.at(40) == curve.spline.knots());
         assert((curve.spline.is_rational() ? numbers.at(41) : std::vector<double>()) == curve.spline.weights());
-        assert(numbers.at(71)[0] == double(curve.spline.degree()) && (int(numbers.at(70)[0]) & 1) == curve.is_closed());
+        assert(numbers.at(71)[0] == double(curve.spline.degree()) && (int(numbers.at(70)[0]) & 1) == 0);
       }
       else
       {
         const Point point = dxf_conic_point(name, numbers, share);
-        const double angle = curve.conic->start_angle + share * (curve.conic->end_angle - curve.conic->start_angle);
+        const bool is_from_below = curve.conic->axis == Vector(0, 0, -1); // which is seen from above
+        const double angle = curve.conic->start_angle
+          + (is_from_below ? 1. - share : share) * (curve.conic->end_angle - curve.conic->start_angle);
         // a circle of the format has no start of its own
         if (curve.type == Type::CIRCLE)
           assert(curve.spline.closest_point(point).distance < 1e-9);
@@ -367,6 +379,117 @@ void test_dxf_geometry()
           assert(distance(point, curve.conic->point(angle)) < 1e-9);
       }
     }
+  }
+}
+
+// Planes that are level within their uncertainty have the extrusion (0, 0, 1), whichever side they are seen from.
+void test_dxf_extrusion()
+{
+  const double angle = 3e-4;
+  for (const Type type : {Type::ARC, Type::CIRCLE, Type::ELLIPSE, Type::ELLIPTIC_ARC})
+    for (const double side : {1., -1.})
+      for (const double uncertainty : {0., 1e-4, 1e-3})
+      {
+        Wireframe wireframe;
+        Curve curve;
+        curve.type = type;
+        const double minor = type == Type::ARC || type == Type::CIRCLE ? 2. : 1.;
+        const bool is_closed = type == Type::CIRCLE || type == Type::ELLIPSE;
+        curve.conic = CGAL::Wireframe_conic<Kernel>{Point(100, 3, -7),
+                                                    Vector(std::sin(angle), 0, side * std::cos(angle)),
+                                                    Vector(std::cos(angle), 0, -side * std::sin(angle)),
+                                                    2.,
+                                                    minor,
+                                                    is_closed ? 0. : 0.4,
+                                                    is_closed ? 2. * CGAL_PI : 2.1};
+        curve.spline = curve.conic->to_spline(is_closed);
+        curve.uncertainty.direction = uncertainty;
+        if (!is_closed)
+        {
+          wireframe.vertices = {curve.spline.control_points().front(), curve.spline.control_points().back()};
+          curve.source = 0;
+          curve.target = 1;
+        }
+        wireframe.curves.push_back(curve);
+        for (const bool has_splines : {false, true})
+        {
+          std::ostringstream stream;
+          assert(CGAL::IO::write_wireframe_dxf(stream, wireframe, parameters::dxf_splines(has_splines)));
+          const bool is_level = uncertainty > angle;
+          if (has_splines && !is_level)
+          {
+            assert(count_of(stream.str(), "\n0\nSPLINE\n") == 1);
+            continue;
+          }
+          std::string name;
+          Dxf_numbers numbers;
+          for (const auto& pair : parse_dxf(stream.str().substr(stream.str().find("ENTITIES") + 9)))
+            if (pair.first == 0 && pair.second != "POINT" && name.empty())
+              name = pair.second;
+            else if (!name.empty() && (pair.first >= 10 && pair.first < 240))
+              numbers[pair.first].push_back(pair.first < 80 || pair.first >= 210 ? std::stod(pair.second) : 0.);
+            else if (pair.first == 0 && !name.empty())
+              break;
+          const Vector n = dxf_vector(numbers, 210);
+          assert(is_level == (n == Vector(0, 0, 1)));
+          assert(is_level || distance(CGAL::ORIGIN + n, CGAL::ORIGIN + curve.conic->axis) < 1e-12);
+          for (const double share : {0., 0.3, 1.})
+          {
+            const double at = curve.conic->start_angle
+              + (side < 0. && is_level ? 1. - share : share) * (curve.conic->end_angle - curve.conic->start_angle);
+            const Point point = dxf_conic_point(name, numbers, share);
+            const double tolerance = is_level ? 2.1 * angle : 1e-9;
+            if (is_closed)
+              assert(curve.spline.closest_point(point).distance < tolerance);
+            else
+              assert(distance(point, curve.conic->point(at)) < tolerance);
+          }
+        }
+      }
+}
+
+// pieces that keep to a tolerance
+void test_chord_tolerance()
+{
+  const Wireframe wireframe = near_wireframe();
+  for (const double tolerance : {1e-1, 1e-3})
+    for (const double step : {0., 0.05})
+    {
+      std::ostringstream stream;
+      if (step > 0.)
+        assert(CGAL::IO::write_wireframe_polylines(stream, wireframe,
+                                                   parameters::chord_tolerance(tolerance).sampling_step(step)));
+      else
+        assert(CGAL::IO::write_wireframe_polylines(stream, wireframe, parameters::chord_tolerance(tolerance)));
+      std::istringstream lines(stream.str());
+      std::size_t number_of_points = 0;
+      for (const Curve& curve : wireframe.curves)
+      {
+        std::size_t count = 0;
+        lines >> count;
+        number_of_points += count;
+        std::vector<Point> points(count);
+        for (Point& point : points)
+          lines >> point;
+        assert(lines && count >= (curve.is_closed() && curve.spline.degree() > 1 ? 4u : 2u));
+        assert(curve.type != Type::LINE || step > 0. || count == 2);
+        for (std::size_t i = 0; i + 1 < count; ++i)
+        {
+          assert(step == 0. || distance(points[i], points[i + 1]) < step * (1. + 1e-9));
+          // the middle of a chord is farthest from the curve, about; some of them will do
+          assert(i % 7 != 0
+                 || curve.spline.closest_point(CGAL::midpoint(points[i], points[i + 1])).distance < 1.1 * tolerance);
+        }
+      }
+      assert(tolerance < 1e-2 || step > 0. || number_of_points < 40 * wireframe.curves.size());
+    }
+  std::ostringstream stream;
+  std::string error;
+  for (const double bad : {0., -1., HUGE_VAL, std::nan("")})
+  {
+    assert(
+      !CGAL::IO::write_wireframe_polylines(stream, wireframe, parameters::chord_tolerance(bad).error_message(&error)));
+    check_words(error, {"chord_tolerance", "positive"});
   }
 }
 
@@ -880,6 +1003,8 @@ int main(int argc, char** argv)
   }
   test_dxf();
   test_dxf_geometry();
+  test_dxf_extrusion();
+  test_chord_tolerance();
   test_dxf_limits();
   test_obj_splines();
   test_csv();

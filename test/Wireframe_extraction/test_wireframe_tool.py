@@ -28,7 +28,8 @@ STAGES = ["1_skeleton.ply", "2_feet.ply", "3_corners.ply", "4_clusters.ply", "5_
 # options that are refused without another one, and with what they are not
 HELPERS = {"--view": ["--png", "x.png"], "--fuse": ["--patches"], "--use-indices": ["--patches"],
            "--indices-dataset": ["--patches"], "--unit": ["-o", "x.svg"], "--step-schema": ["-o", "x.step"],
-           "--obj-splines": ["-o", "x.obj"], "--corner-variance": ["--corner-measure", "variance"],
+           "--obj-splines": ["-o", "x.obj"], "--dxf-splines": ["-o", "x.dxf"],
+           "--sampling-step": ["-o", "x.ply"], "--chord-tolerance": ["-o", "x.ply"], "--corner-variance": ["--corner-measure", "variance"],
            "--corner-radius": ["--paper"], "--corner-sampling-ratio": ["--corner-measure=variance"],
            "--end-detection": ["--paper"], "--split-threshold": ["--graph-method", "subdivided"],
            "--keep-failed": ["--batch", "list.txt"]}
@@ -142,7 +143,7 @@ class Tool_test(Program_test):
         self.assertEqual(len(wireframe["vertices"]), 8)
         self.assertAlmostEqual(wireframe["sampling_distance"] / 0.03116, 1, delta=0.1)
         for row in (r"Points +5000\n", r"r +0\.0\d+ \(estimated\)\n", r"Noise +\S+ = \S+ r\n",
-                    r"Skeleton +\d+ points\n", r"Corners +8\n", r"Curves +12 .*12 open.*0 closed", r"Doubtful +0 of 12 curves\n",
+                    r"Skeleton +\d+ points\n", r"Corners +8\n", r"Curves +12 lines\n", r"Doubtful +0 of 12 curves\n\Z",
                     r"Residuals +rms \S+ = \S+ r, largest \S+ = \S+ r\n", r"Seconds +\d.*reading.*writing",
                     r"Written +out\.json\n"):
             self.assertRegex(said, row)
@@ -151,7 +152,7 @@ class Tool_test(Program_test):
 
     def test_cylinder(self):
         said = self.extract(self.shared / "cylinder.ply", "-o", "out.json")
-        self.assertRegex(said, r"Curves +2 .*0 open, 2 closed")
+        self.assertRegex(said, r"Curves +2 circles\n")
         wireframe = self.read_json("out.json")
         self.check_wireframe(wireframe)
         self.assertEqual([curve["closed"] for curve in wireframe["curves"]], [True, True])
@@ -248,8 +249,8 @@ class Tool_test(Program_test):
         os.symlink("/dev/full", self.folder / "full.json")
         os.symlink("/dev/full", self.folder / "full.step")
         with self.quiet_about_leaks():
-            self.assert_full(["-o", "old.obj", "-o", "new.step", "-o", "new.igs", "-o", "new.brep", "-o", "full.json"])
-            self.assert_full(["-o", "new.brep", "-o", "full.step", "-o", "old.obj"], "full.step")
+            self.assert_full(["old.obj", "new.step", "new.igs", "new.brep", "full.json"])
+            self.assert_full(["new.brep", "full.step", "old.obj"], "full.step")
 
     @unittest.skipIf(WITH_CAD, "built with OpenCASCADE")
     def test_without_cad_formats(self):
@@ -275,6 +276,15 @@ class Tool_test(Program_test):
         self.assertRegex(content["a.svg"], rb"Size .* in, third-angle")
         self.assertEqual(content["a.csv"].count(b"\r\n"), 13)
         self.assertEqual(content["a.obj"].count(b"\nl "), 12)   # a line needs no spline
+
+    def test_sampling(self):
+        for arguments, least, most in (([], 20, 200), (["--sampling-step", "0.5"], 3, 5), (["--chord-tolerance", "1e-4"], 2, 2),
+                                       (["--chord-tolerance", "1e-4", "--sampling-step", "0.5"], 3, 5)):
+            self.extract(self.shared / "box.ply", "-o", "a.txt", *arguments)
+            for line in sampled(self.folder / "a.txt"):
+                self.assertTrue(least <= len(line) <= most, (arguments, len(line)))
+        self.refuse(USAGE_ERROR, ["--chord-tolerance", "sampled curves"], self.shared / "box.ply", "-o", "x.json",
+                    "--chord-tolerance", "1")
 
     def test_outputs_are_replaced(self):
         (self.folder / "out.json").write_text("old")
@@ -417,6 +427,7 @@ class Tool_test(Program_test):
     # ---- help ----
 
     def test_help_and_version(self):
+        self.assertEqual(self.extract("-V"), self.extract("--version"))
         for name in ("-h", "--help"):
             text = self.extract(name)
             self.assertTrue(all(len(line) <= 100 for line in text.splitlines()))
@@ -452,11 +463,112 @@ class Tool_test(Program_test):
         # what only a program can give
         for_programs = {"distance_map", "deviation_map", "error_message", "number_of_skipped", "sampling_step",
                         "extraction_report", "mesh_report", "visitor"}
-        renamed = {"patch_fusion": "fuse", "field_origin": "field"}
+        renamed = {"patch_fusion": "fuse", "field_origin": "field", "coordinate_properties": "coordinates"}
         text = self.extract("--help")
         for name in names:
             if name not in for_programs:
                 self.assertRegex(text, rf"(?m)^  --{renamed.get(name, name).replace('_', '-')}\b")
+
+    def test_suggestions(self):
+        for word, meant in (("--reglarize", "--regularize"), ("--outpt=a.json", "--output"), ("--smooth_angle", "--smooth-angle"),
+                            ("-regularize", "--regularize"), ("--recognize", "--recognize-types")):
+            self.refuse(USAGE_ERROR, [word, f"did you mean {meant}?"], self.shared / "box.ply", "-o", "a.json", word)
+        done = self.execute(self.folder, self.shared / "box.ply", "-o", "a.json", "--nonsense")
+        self.assertNotIn("did you mean", done.stderr)
+
+    def test_configuration(self):
+        self.assertEqual(self.extract("--regularize", "--smooth-angle", "15", "--unit", "in", "--coordinates", "x,y,z",
+                                      "--write-config", "c.toml"), "")
+        text = self.read_text("c.toml")
+        given = dict(re.findall(r'(?m)^([a-z-]+) = "(.*)"$', text))
+        self.assertEqual(given, {"regularize": "true", "smooth-angle": "15", "unit": "in", "coordinates": "x,y,z"})
+        for line in ('# field = "auto"', '# threads', '# corner-reach = "8"'):
+            self.assertIn(line.split(" = ")[0], text + "# threads")
+        said = self.extract(self.shared / "box.ply", "--config", "c.toml", "-o", "a.json", "--write-config", "again.toml")
+        self.assertRegex(said, r"(?m)^r +0\.0\d+ in ")
+        self.assertEqual(self.read_text("again.toml"), text)
+        self.extract(self.shared / "box.ply", "--regularize", "--smooth-angle", "15", "-o", "b.json")
+        self.assertEqual(self.read_text("a.json"), self.read_text("b.json"))
+        (self.folder / "own.toml").write_text("quiet = true\nsplines-only = true\n# a comment\n")
+        self.assertEqual(self.extract(self.shared / "box.ply", "--config", "own.toml", "-o", "c.json"), "")
+        self.assertEqual({curve["type"] for curve in self.read_json("c.json")["curves"]}, {"bspline"})
+        self.extract(self.shared / "box.ply", "--config", "own.toml", "--splines-only", "false", "-o", "d.json")
+        self.assertEqual({curve["type"] for curve in self.read_json("d.json")["curves"]}, {"line"})
+        (self.folder / "bad.toml").write_text("reglarize = true\n")
+        self.refuse(USAGE_ERROR, ["--config", "reglarize", "did you mean --regularize?"], self.shared / "box.ply",
+                    "--config", "bad.toml", "-o", "x.json")
+        (self.folder / "bad.toml").write_text("smooth-angle = many\n")
+        self.refuse(USAGE_ERROR, ["--smooth-angle", "many"], self.shared / "box.ply", "--config", "bad.toml", "-o", "x.json")
+        self.refuse(USAGE_ERROR, ["none.toml"], self.shared / "box.ply", "--config", "none.toml", "-o", "x.json")
+        self.refuse(USAGE_ERROR, ["missing/c.toml"], "--write-config", "missing/c.toml")
+
+    @unittest.skipUnless(shutil.which("bash"), "there is no bash")
+    def test_completion(self):
+        (self.folder / "c.bash").write_text(self.extract("--completion", "bash"))
+        (self.folder / "folder").mkdir()
+        (self.folder / "file.ply").write_text("")
+
+        def completed(*words):
+            script = "source c.bash; COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); _extract_wireframe; echo \"${COMPREPLY[@]}\""
+            return sorted(subprocess.run(["bash", "-c", script, "bash", "extract_wireframe", *words], cwd=self.folder,
+                                         stdout=subprocess.PIPE, encoding="utf-8", check=True).stdout.split())
+
+        self.assertEqual(completed("--reg"), ["--regularize"])
+        self.assertEqual(completed("--unit", ""), ["cm", "ft", "in", "m", "mm", "um"])
+        self.assertEqual(completed("--regularize", "f"), ["false"])
+        self.assertEqual(completed("--stages", "f"), ["folder"])
+        self.assertEqual(completed("-o", "f"), ["file.ply", "folder"])
+        self.assertEqual(completed("f"), ["file.ply", "folder"])
+        options = set(re.findall(r"--[a-z][a-z-]+", "\n".join(re.findall(r"(?m)^  (-.*?)(?:  |$)", self.extract("--help")))))
+        self.assertEqual(options - set(completed("-")), set())
+        zsh = self.extract("--completion", "zsh")
+        for option in options:
+            self.assertIn(f"'*{option}[", zsh)
+        if shutil.which("zsh"):
+            subprocess.run(["zsh", "-n", "-c", zsh], check=True)
+
+    @unittest.skipUnless(os.path.exists("/dev/stdin"), "there is no /dev/stdin")
+    def test_standard_streams(self):
+        self.extract(self.shared / "box.ply", "-o", "expected.json")
+        cloud = (self.shared / "box.ply").read_bytes()
+        text = "".join(" ".join(map(repr, row)) + "\n" for row in self.box).encode()
+        for content, name in ((cloud, "ply"), (text, "xyz"), (cloud, ".PLY")):
+            done = subprocess.run([self.tool, "-", "--input-format", name, "-o", "-", "--output-format", ".json"],
+                                  input=content, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=self.folder)
+            self.assertEqual(done.returncode, SUCCESS, done.stderr)
+            self.assertEqual(done.stdout.decode(), self.read_text("expected.json"))
+            self.assertIn(b"Curves      12 lines", done.stderr)
+        with open(self.shared / "box.ply", "rb") as stream:
+            done = subprocess.run([self.tool, "-", "--input-format", "ply", "-o", "-", "--output-format", "csv", "-o", "a.json",
+                                   "--quiet"], stdin=stream, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=self.folder)
+        self.assertEqual((done.returncode, done.stderr, done.stdout.count(b"\n")), (SUCCESS, b"", 13))
+        self.assertEqual(self.read_text("a.json"), self.read_text("expected.json"))
+        shutil.copy(self.shared / "box.ply", self.folder / "cloud.dat")
+        self.extract("cloud.dat", "--input-format", "ply", "-o", "b.json")
+        self.assertEqual(self.read_text("b.json"), self.read_text("expected.json"))
+        self.write_meshes()
+        os.rename(self.folder / "box.stl", self.folder / "mesh.dat")
+        self.assertIn("12 lines", self.extract("mesh.dat", "--input-format", "stl", "-o", "c.json"))
+        done = subprocess.run([self.tool, "-", "--input-format", "stl", "-o", "d.json"], cwd=self.folder,
+                              input=(self.folder / "mesh.dat").read_bytes(), stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.assertEqual((done.returncode, done.stderr), (SUCCESS, b""))
+        self.assertEqual(self.read_text("d.json"), self.read_text("c.json"))
+        for words, arguments in ((["--input-format"], ["-", "-o", "x.json"]),
+                                 (["--output-format"], [self.shared / "box.ply", "-o", "-"]),
+                                 (["--output-format", "-o -"], [self.shared / "box.ply", "-o", "x.json", "--output-format", "json"]),
+                                 (["unknown extension"], [self.shared / "box.ply", "-o", "-", "--output-format", "jpg"])):
+            self.refuse(USAGE_ERROR, words, *arguments)
+        self.refuse(BAD_INPUT, ["unknown format", "\".jpg\""], "cloud.dat", "--input-format", "jpg", "-o", "x.json")
+
+    def test_doubts_in_summary(self):
+        said = self.extract(self.shared / "noisy.ply", "-o", "a.json", "--minimum-evidence", "0", "--splines-only")
+        wireframe = self.read_json("a.json")
+        doubtful = [i for i, curve in enumerate(wireframe["curves"]) if curve["doubts"]]
+        count = rf"{len(doubtful)} of {len(wireframe['curves'])} curves?"
+        if doubtful:
+            self.assertRegex(said, rf"\nDoubtful +{count}: {', '.join(map(str, doubtful[:15]))}.*\nWhy +[a-z_]+ \d.*\nWhat to do  .*\n\Z")
+        else:
+            self.assertRegex(said, rf"\nDoubtful +{count}\n\Z")
 
     @unittest.skipIf(sys.platform == "win32", "there is no pseudo terminal")
     def test_progress(self):
@@ -502,10 +614,10 @@ class Tool_test(Program_test):
         """All of them stand alone or with a value, which is true or false, whatever stands behind them."""
         (self.folder / "c.xyz").write_text("1 2 3 4\n")
         booleans = re.findall(r"(?m)^  (--[a-z-]+) \[true\|false\]", self.extract("--help"))
-        self.assertEqual(set(booleans), {"--obj-splines", "--patches", "--use-indices", "--skip-invalid",
+        self.assertEqual(set(booleans), {"--obj-splines", "--dxf-splines", "--patches", "--use-indices", "--skip-invalid",
                                          "--keep-failed", "--paper", "--quiet", "--use-creases", "--use-tangents",
                                          "--use-robust-loss", "--move-corners", "--adapt-knots", "--recognize-types",
-                                         "--splines-only", "--regularize", "--use-boundaries"})
+                                         "--splines-only", "--regularize", "--use-boundaries", "--clamp-negative"})
         for name in booleans:
             if name in ("--keep-failed", "--use-boundaries"):
                 continue   # of batches, and of meshes
@@ -628,23 +740,25 @@ class Tool_test(Program_test):
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "there is no full device")
     def test_full_disk(self):
-        """A file that cannot be written takes the others with it."""
+        """A file that cannot be written stops no other one, and leaves nothing behind."""
         shutil.copy(self.shared / "box.ply", self.folder / "box.ply")
-        (self.folder / "old.obj").write_text("old")
         os.symlink("/dev/full", self.folder / "full.json")
         for names in (["new.json", "old.obj", "full.json"], ["full.json", "new.json", "old.obj"],
                       ["old.obj", "full.json", "new.json"]):
-            outputs = sum((["-o", name] for name in names), [])
-            self.assert_full(outputs)
+            (self.folder / "old.obj").write_text("old")
+            (self.folder / "new.json").unlink(missing_ok=True)
+            self.assert_full(names)
 
-    def assert_full(self, outputs, name="full.json"):
-        names = self.files()
-        done = self.execute(self.folder, "box.ply", *outputs)
+    def assert_full(self, names, full="full.json"):
+        """All of these are written, but the one that the disk is full for."""
+        done = self.execute(self.folder, "box.ply", *sum((["-o", name] for name in names), []))
         self.assertEqual(done.returncode, INTERNAL_ERROR, done.stderr)
-        self.assertRegex(done.stderr, r"\Aextract_wireframe: error: " + re.escape(name) + r": [^\n]*full[^\n]*\n\Z")
-        self.assertEqual(done.stdout, "")
-        self.assertEqual(self.files(), names)
-        self.assertEqual((self.folder / "old.obj").read_text(), "old")
+        self.assertRegex(done.stderr, r"\Aextract_wireframe: error: " + re.escape(full) + r": [^\n]*full[^\n]*\n\Z")
+        self.assertEqual(re.findall(r"(?m)^Written +(.+)$", done.stdout), [name for name in names if name != full])
+        for name in names:
+            if name != full:
+                self.assertGreater((self.folder / name).stat().st_size, 100)
+        self.assertEqual([name for name in self.files() if ".partial" in name], [])
 
     def test_old_output_stays(self):
         (self.folder / "out.json").write_text("old")
@@ -660,7 +774,11 @@ class Tool_test(Program_test):
         for name in ("scan.las", "scan.LAZ", "scan.e57"):
             self.refuse_text(BAD_INPUT, ["is not read", ".ply", "CloudCompare", "pdal"], "LASF", name)
         (self.folder / "folder.ply").mkdir()
-        self.refuse(BAD_INPUT, ["folder.ply", "directory"], "folder.ply", "-o", "out.json")
+        (self.folder / "folder").mkdir()
+        for name in ("folder.ply", "folder"):
+            self.refuse(BAD_INPUT, [name, "directory", "--batch"], name, "-o", "out.json")
+        self.refuse(BAD_INPUT, ["größe.ply", "No such file"], "größe.ply", "-o", "out.json")
+        self.refuse_text(BAD_INPUT, ["größe, y, z"], "größe y z\n1 2 3\n")
         self.refuse(BAD_INPUT, ["none.ply"], "none.ply", "-o", "out.json", "--stages", "a/b/c")
         self.refuse(BAD_INPUT, ["two lines.ply"], "two\nlines.ply", "-o", "out.json")
         for name in ("empty.ply", "empty.xyz", "empty.csv"):
@@ -808,7 +926,7 @@ class Tool_test(Program_test):
         bad[99] = "0 0 0 -0.5\n"
         bad[100] = "0 0 0 nan\n"
         words = ["4 of 5000", "2 with a coordinate", "1 with a distance", "1 with a negative", "point 17",
-                 "line 18", "leave such points out by --skip-invalid\n"]
+                 "line 18", "leave such points out by --skip-invalid"]
         self.refuse_text(BAD_INPUT, words, "".join(bad))
         self.refuse_text(BAD_INPUT, ["1 of 5000", "point 4999", "negative", "-2", "--skip-invalid"],
                          "".join(rows[:-1]) + "0 0 0 -2\n")

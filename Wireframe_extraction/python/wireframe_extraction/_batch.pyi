@@ -54,6 +54,7 @@ def extract_many(
     use_boundaries: Flag | None = ...,
     # READING
     field: Literal["auto", "given", "estimated"] | None = ...,
+    input_format: str | None = ...,
     coordinate_properties: Sequence[str] | None = ...,
     distance_property: str | None = ...,
     points_dataset: str | None = ...,
@@ -111,6 +112,7 @@ def extract_many(
     use_boundaries: Flag | None = ...,
     # READING
     field: Literal["auto", "given", "estimated"] | None = ...,
+    input_format: str | None = ...,
     coordinate_properties: Sequence[str] | None = ...,
     distance_property: str | None = ...,
     points_dataset: str | None = ...,

@@ -68,6 +68,8 @@ def read_cloud(path: Any, distances: Any = None, **parameters: Any) -> Cloud:
     field : {"auto", "given", "estimated"}
         Where distances have to come from: "given" makes it an error if there are none, and with "estimated" they are
         not looked at.
+    input_format : str
+        The extension that stands for the format, if the name of the file has another one.
     coordinate_properties : three of str
         Names of the properties or columns with x, y and z, or of columns without names their numbers as text.
     distance_property, points_dataset, distances_dataset, indices_dataset : str

@@ -19,6 +19,7 @@ def read_cloud(
     *,
     # OF_CLOUDS
     field: Literal["auto", "given", "estimated"] | None = ...,
+    input_format: str | None = ...,
     coordinate_properties: Sequence[str] | None = ...,
     distance_property: str | None = ...,
     points_dataset: str | None = ...,

@@ -58,6 +58,7 @@ def extract(
     use_boundaries: Flag | None = ...,
     # READING
     field: Literal["auto", "given", "estimated"] | None = ...,
+    input_format: str | None = ...,
     coordinate_properties: Sequence[str] | None = ...,
     distance_property: str | None = ...,
     points_dataset: str | None = ...,

@@ -8,7 +8,7 @@ from typing import Any
 
 # the library speaks of its C++ parameters, and the readers of meshes of options of the tool
 _REPLACEMENTS = (
-    (r"skip_invalid\(true\)", "skip_invalid=True"),
+    (r"(skip_invalid|clamp_negative)\(true\)", r"\1=True"),
     (r"--(mesh|field) (cad|scan|given|estimated)", r'\1="\2"'),
     (r"--(\w+(?:-\w+)*)", lambda match: match[1].replace("-", "_")),
 )

@@ -30,6 +30,7 @@ MESH = {"mesh": str, "maximum_facet_fold": float, "maximum_number_of_points": in
 #: of files, with the type of each
 READING = {
     "field": str,
+    "input_format": str,
     "coordinate_properties": tuple,
     "distance_property": str,
     "points_dataset": str,

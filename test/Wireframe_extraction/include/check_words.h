@@ -20,7 +20,7 @@ inline void check_words(const std::string& error, const Words& words)
       assert(false);
     }
   for (const char c : error)
-    assert(static_cast<unsigned char>(c) >= 32 && static_cast<unsigned char>(c) < 127);
+    assert(static_cast<unsigned char>(c) >= 32 && c != 127); // beyond are letters in UTF-8
 }
 
 #endif // CHECK_WORDS_H

@@ -130,6 +130,8 @@ def test_read_cloud(cylinder, data, tmp_path):
         we.read_cloud(tmp_path / "columns.npy", coordinate_properties="xyz")
     with pytest.raises(ValueError, match="coordinate_properties"):
         we.read_cloud(tmp_path / "columns.npy", coordinate_properties=("x", "y", "z"))
+    (tmp_path / "columns.npy").rename(tmp_path / "columns.dat")
+    assert len(we.read_cloud(tmp_path / "columns.dat", input_format="npy", field="estimated").points) == len(points)
     bare = we.read_cloud(tmp_path / "cloud.xyz")
     assert np.array_equal(bare.points, points) and bare.distances is None
     joined = we.read_cloud(tmp_path / "cloud.xyz", tmp_path / "distances.npy")

@@ -56,6 +56,11 @@ public:
   ///     \cgalParamExtra{Of text without names, three columns have no distances, six neither if the last three look
   ///                     like a normal, and more neither if the fourth to the sixth look like a color.}
   ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{input_format}
+  ///     \cgalParamDescription{the extension that stands for the format of the file, with or without the dot}
+  ///     \cgalParamType{`std::string`}
+  ///     \cgalParamDefault{the extension of the file}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{coordinate_properties}
   ///     \cgalParamDescription{the names of the properties or columns that hold x, y and z; of columns without
   ///                           names, their numbers, counted from 1}
@@ -107,6 +112,11 @@ public:
   /// \param np an optional sequence of named parameters among the ones listed below
   ///
   /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{input_format}
+  ///     \cgalParamDescription{the extension that stands for the format of the file, with or without the dot}
+  ///     \cgalParamType{`std::string`}
+  ///     \cgalParamDefault{the extension of the file}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{coordinate_properties}
   ///     \cgalParamDescription{the names of the properties or columns that hold x, y and z; of columns without
   ///                           names, their numbers, counted from 1}

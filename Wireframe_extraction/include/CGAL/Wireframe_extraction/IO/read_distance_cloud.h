@@ -82,6 +82,7 @@ Cloud_reader_options get_cloud_reader_options(const NamedParameters& np)
   using CGAL::parameters::get_parameter_reference;
 
   Cloud_reader_options options;
+  options.format = choose_parameter(get_parameter_reference(np, internal_np::input_format), std::string());
   options.coordinate_properties =
     choose_parameter(get_parameter_reference(np, internal_np::coordinate_properties), std::vector<std::string>());
   options.distance_property =
@@ -220,6 +221,11 @@ struct Is_iterator<T, std::void_t<typename std::iterator_traits<T>::iterator_cat
 ///   passed over
 ///
 /// \cgalNamedParamsBegin
+///   \cgalParamNBegin{input_format}
+///     \cgalParamDescription{the extension that stands for the format of the file, with or without the dot}
+///     \cgalParamType{`std::string`}
+///     \cgalParamDefault{the extension of the file}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{coordinate_properties}
 ///     \cgalParamDescription{the names of the properties or columns that hold x, y and z; of columns without names,
 ///                           their numbers, counted from 1}
@@ -300,6 +306,11 @@ bool read_distance_cloud(const std::string& filename, std::vector<std::pair<Poin
 /// \param np an optional sequence of named parameters among the ones listed below
 ///
 /// \cgalNamedParamsBegin
+///   \cgalParamNBegin{input_format}
+///     \cgalParamDescription{the extension that stands for the format of the file, with or without the dot}
+///     \cgalParamType{`std::string`}
+///     \cgalParamDefault{the extension of the file}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{coordinate_properties}
 ///     \cgalParamDescription{the names of the properties or columns that hold x, y and z; of columns without names,
 ///                           their numbers, counted from 1}

@@ -24,6 +24,17 @@
 
 namespace CGAL {
 namespace IO {
+namespace internal {
+
+// whether tilted conics are to be splines
+template <class NamedParameters>
+bool has_dxf_splines(const NamedParameters& np)
+{
+  return CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::Wireframe_extraction::internal_np::dxf_splines), false);
+}
+
+} // namespace internal
 
 /// \ingroup PkgWireframeExtractionIO
 /// writes a wireframe into a stream in the DXF format of AutoCAD 2000 (AC1015, ascii).
@@ -31,7 +42,9 @@ namespace IO {
 /// The curves are entities in space, exact up to rounding, in the model space and in the order of the
 /// wireframe: a line is a `LINE`, a circle a `CIRCLE`, an arc an `ARC`, an ellipse or an arc of one an
 /// `ELLIPSE`, and a B-spline a `SPLINE` with its degree, knots, weights and control points. A circle or an
-/// ellipse has the normal of its plane as its extrusion direction, about which an arc runs counterclockwise.
+/// ellipse has the normal of its plane as its extrusion direction, about which an arc runs counterclockwise. It is
+/// exactly (0, 0, 1) where the plane is level as far as `Wireframe_curve::uncertainty` tells: many programs put others
+/// elsewhere.
 /// Every kind of curve has a layer: `LINES`, `CIRCLES`, `ARCS`, `ELLIPSES`, `ELLIPTIC_ARCS` and `SPLINES`;
 /// before the curves, the vertices are `POINT` entities in the layer `VERTICES`. An ellipse whose radii
 /// differ by a factor of more than a million is a `SPLINE`, as the format has none; an arc of a whole turn is
@@ -54,6 +67,12 @@ namespace IO {
 ///     \cgalParamType{`Wireframe_extraction::Length_unit`}
 ///     \cgalParamDefault{`Length_unit::MILLIMETER`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{dxf_splines}
+///     \cgalParamDescription{whether circles, ellipses and their arcs that are tilted against the xy plane are splines,
+///                           for programs that flatten them or put them elsewhere}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
 ///   \wireframeParamErrorMessage
 ///   \wireframeParamTraits
 /// \cgalNamedParamsEnd
@@ -68,7 +87,7 @@ bool write_wireframe_dxf(std::ostream& stream, const CGAL::Wireframe<GeomTraits>
 {
   return internal::write_to_stream(stream, np, [&](std::ostream& out, std::string& error) {
     return internal::write_dxf(out, internal::plain_wireframe(wireframe, internal::get_geom_traits<GeomTraits>(np)),
-                               internal::get_length_unit(np), error);
+                               internal::get_length_unit(np), internal::has_dxf_splines(np), error);
   });
 }
 
@@ -93,6 +112,12 @@ bool write_wireframe_dxf(std::ostream& stream, const CGAL::Wireframe<GeomTraits>
 ///     \cgalParamType{`Wireframe_extraction::Length_unit`}
 ///     \cgalParamDefault{`Length_unit::MILLIMETER`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{dxf_splines}
+///     \cgalParamDescription{whether circles, ellipses and their arcs that are tilted against the xy plane are splines,
+///                           for programs that flatten them or put them elsewhere}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
 ///   \wireframeParamErrorMessage
 ///   \wireframeParamTraits
 /// \cgalNamedParamsEnd
@@ -107,7 +132,7 @@ bool write_wireframe_dxf(const std::string& filename, const CGAL::Wireframe<Geom
 {
   return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error) {
     return internal::write_dxf(out, internal::plain_wireframe(wireframe, internal::get_geom_traits<GeomTraits>(np)),
-                               internal::get_length_unit(np), error);
+                               internal::get_length_unit(np), internal::has_dxf_splines(np), error);
   });
 }
 

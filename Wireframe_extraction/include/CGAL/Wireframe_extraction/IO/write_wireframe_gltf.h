@@ -81,7 +81,7 @@ bool write_wireframe_gltf(std::ostream& stream, const CGAL::Wireframe<GeomTraits
     const bool is_binary =
       CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::use_binary_mode), false);
     return internal::write_gltf(out, internal::plain_wireframe(wireframe, internal::get_geom_traits<GeomTraits>(np)),
-                                internal::get_sampling_step(np), internal::get_length_unit(np), is_binary, error);
+                                internal::get_sampling(np), internal::get_length_unit(np), is_binary, error);
   });
 }
 
@@ -122,7 +122,7 @@ bool write_wireframe_gltf(const std::string& filename, const CGAL::Wireframe<Geo
 {
   return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error) {
     return internal::write_gltf(out, internal::plain_wireframe(wireframe, internal::get_geom_traits<GeomTraits>(np)),
-                                internal::get_sampling_step(np), internal::get_length_unit(np),
+                                internal::get_sampling(np), internal::get_length_unit(np),
                                 internal::lower_extension(filename) == ".glb", error);
   });
 }

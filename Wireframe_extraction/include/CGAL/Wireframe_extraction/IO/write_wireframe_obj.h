@@ -74,7 +74,7 @@ bool write_wireframe_obj(std::ostream& stream, const CGAL::Wireframe<GeomTraits>
     const bool has_splines =
       CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::obj_splines), false);
     return internal::write_obj(out, internal::plain_wireframe(wireframe, internal::get_geom_traits<GeomTraits>(np)),
-                               internal::get_sampling_step(np), has_splines, error);
+                               internal::get_sampling(np), has_splines, error);
   });
 }
 
@@ -117,7 +117,7 @@ bool write_wireframe_obj(const std::string& filename, const CGAL::Wireframe<Geom
     const bool has_splines =
       CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::obj_splines), false);
     return internal::write_obj(out, internal::plain_wireframe(wireframe, internal::get_geom_traits<GeomTraits>(np)),
-                               internal::get_sampling_step(np), has_splines, error);
+                               internal::get_sampling(np), has_splines, error);
   });
 }
 

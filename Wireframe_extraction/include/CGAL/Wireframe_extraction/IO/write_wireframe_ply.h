@@ -64,7 +64,7 @@ bool write_wireframe_ply(std::ostream& stream, const CGAL::Wireframe<GeomTraits>
     const bool is_binary =
       CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::use_binary_mode), true);
     return internal::write_ply(out, internal::plain_wireframe(wireframe, internal::get_geom_traits<GeomTraits>(np)),
-                               internal::get_sampling_step(np), is_binary, error);
+                               internal::get_sampling(np), is_binary, error);
   });
 }
 
@@ -106,7 +106,7 @@ bool write_wireframe_ply(const std::string& filename, const CGAL::Wireframe<Geom
     const bool is_binary =
       CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::use_binary_mode), true);
     return internal::write_ply(out, internal::plain_wireframe(wireframe, internal::get_geom_traits<GeomTraits>(np)),
-                               internal::get_sampling_step(np), is_binary, error);
+                               internal::get_sampling(np), is_binary, error);
   });
 }
 

@@ -57,7 +57,7 @@ bool write_wireframe_polylines(std::ostream& stream, const CGAL::Wireframe<GeomT
   return internal::write_to_stream(stream, np, [&](std::ostream& out, std::string& error) {
     return internal::write_polylines(out,
                                      internal::plain_wireframe(wireframe, internal::get_geom_traits<GeomTraits>(np)),
-                                     internal::get_sampling_step(np), error);
+                                     internal::get_sampling(np), error);
   });
 }
 
@@ -92,7 +92,7 @@ bool write_wireframe_polylines(const std::string& filename, const CGAL::Wirefram
   return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error) {
     return internal::write_polylines(out,
                                      internal::plain_wireframe(wireframe, internal::get_geom_traits<GeomTraits>(np)),
-                                     internal::get_sampling_step(np), error);
+                                     internal::get_sampling(np), error);
   });
 }
 

@@ -68,7 +68,7 @@ bool write_wireframe_svg(std::ostream& stream, const CGAL::Wireframe<GeomTraits>
 {
   return internal::write_to_stream(stream, np, [&](std::ostream& out, std::string& error) {
     return internal::write_svg(out, internal::plain_wireframe(wireframe, internal::get_geom_traits<GeomTraits>(np)),
-                               internal::get_sampling_step(np), internal::get_length_unit(np), error);
+                               internal::get_sampling(np), internal::get_length_unit(np), error);
   });
 }
 
@@ -107,7 +107,7 @@ bool write_wireframe_svg(const std::string& filename, const CGAL::Wireframe<Geom
 {
   return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error) {
     return internal::write_svg(out, internal::plain_wireframe(wireframe, internal::get_geom_traits<GeomTraits>(np)),
-                               internal::get_sampling_step(np), internal::get_length_unit(np), error);
+                               internal::get_sampling(np), internal::get_length_unit(np), error);
   });
 }
 

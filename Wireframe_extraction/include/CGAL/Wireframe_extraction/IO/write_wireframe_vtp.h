@@ -71,7 +71,7 @@ bool write_wireframe_vtp(std::ostream& stream, const CGAL::Wireframe<GeomTraits>
 {
   return internal::write_to_stream(stream, np, [&](std::ostream& out, std::string& error) {
     return internal::write_vtp(out, internal::plain_wireframe(wireframe, internal::get_geom_traits<GeomTraits>(np)),
-                               internal::get_sampling_step(np), internal::get_length_unit(np), error);
+                               internal::get_sampling(np), internal::get_length_unit(np), error);
   });
 }
 
@@ -112,7 +112,7 @@ bool write_wireframe_vtp(const std::string& filename, const CGAL::Wireframe<Geom
 {
   return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error) {
     return internal::write_vtp(out, internal::plain_wireframe(wireframe, internal::get_geom_traits<GeomTraits>(np)),
-                               internal::get_sampling_step(np), internal::get_length_unit(np), error);
+                               internal::get_sampling(np), internal::get_length_unit(np), error);
   });
 }
 

@@ -12,9 +12,11 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_BASE_TEXT_TOOLS_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_BASE_TEXT_TOOLS_H
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <locale>
 #include <sstream>
@@ -53,13 +55,42 @@ inline std::string to_lower(std::string_view text)
   return lower;
 }
 
-// text of a file as it may stand in a message: short, and without bytes a terminal could choke on
+// How many bytes the letter takes with which a text in UTF-8 begins; 0 if it begins with something else, or with what
+// controls a terminal.
+inline std::size_t size_of_letter(std::string_view text)
+{
+  const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  if (byte(0) < 0x80)
+    return byte(0) >= 32 && byte(0) < 127 ? 1 : 0;
+  const std::size_t size = byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : 2;
+  if (byte(0) < 0xC2 || byte(0) > 0xF4 || text.size() < size)
+    return 0;
+  std::uint32_t letter = byte(0) & (0x7Fu >> size);
+  for (std::size_t i = 1; i < size; ++i)
+  {
+    if ((byte(i) & 0xC0u) != 0x80u)
+      return 0;
+    letter = (letter << 6) | (byte(i) & 0x3Fu);
+  }
+  constexpr std::uint32_t first_of_three_bytes = 0x800, first_of_four_bytes = 0x10000, beyond_all = 0x110000,
+                          beyond_controls = 0xA0;
+  const bool is_short_enough = size < 3 || letter >= (size == 3 ? first_of_three_bytes : first_of_four_bytes);
+  const bool is_half_of_a_pair = letter >= 0xD800 && letter < 0xE000; // of UTF-16
+  return is_short_enough && letter >= beyond_controls && letter < beyond_all && !is_half_of_a_pair ? size : 0;
+}
+
+// Text of a file as it may stand in a message: short, and without bytes a terminal could choke on. Letters in UTF-8
+// stay.
 inline std::string printable(std::string_view text, std::size_t limit = 40)
 {
   std::string result;
-  for (char c : text.substr(0, limit))
-    result += (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126) ? '?' : c;
-  return result + (text.size() > limit ? "..." : "");
+  for (std::size_t count = 0; count < limit && !text.empty(); ++count)
+  {
+    const std::size_t size = size_of_letter(text);
+    result += size > 0 ? std::string(text.substr(0, size)) : "?";
+    text.remove_prefix((std::max)(size, std::size_t(1)));
+  }
+  return result + (text.empty() ? "" : "...");
 }
 
 inline std::string quote(std::string_view text) { return "\"" + printable(text) + "\""; }

@@ -51,6 +51,7 @@ struct Cloud_reader_options
   std::string points_dataset;                     // empty: the usual one
   std::string distances_dataset;                  // empty: the distance property
   std::string indices_dataset;                    // empty: the first known one, if there is one
+  std::string format;                             // an extension; empty: that of the file
   bool reads_indices = false;
   bool skip_invalid = false;
   bool clamp_negative = false;                                     // whether distances below zero count as zero

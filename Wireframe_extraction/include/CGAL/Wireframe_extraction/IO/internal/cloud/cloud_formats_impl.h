@@ -147,14 +147,16 @@ CGAL_WIREFRAME_EXTRACTION_INLINE
 std::string read_cloud(const std::string& filename, const Cloud_reader_options& options,
                        const Cloud_libraries& libraries, Sample_sink& sink, std::size_t& number_of_skipped)
 {
-  const Cloud_format format = find_cloud_format(filename);
-  const std::string extension = lower_extension(filename);
+  const std::string extension = options.format.empty()
+    ? lower_extension(filename)
+    : (options.format[0] == '.' ? "" : ".") + to_lower(options.format);
+  const Cloud_format format = find_cloud_format("cloud" + extension);
   for (const char* const other : {".las", ".laz", ".e57"})
     if (extension == other)
       return filename + ": " + extension + " is not read; convert it to .ply, by CloudCompare or "
         + "\"pdal translate CLOUD" + extension + " CLOUD.ply\" (Debian: cloudcompare, pdal)";
   if (format == Cloud_format::UNKNOWN)
-    return filename + ": unknown extension " + quote(lower_extension(filename))
+    return filename + ": unknown " + (options.format.empty() ? "extension " : "format ") + quote(extension)
       + " of a point cloud; known are .ply .pcd .off .npy .npz .h5 .hdf5 and .xyz .txt .csv .asc .pts (text)";
   std::ifstream stream;
   std::string error;

@@ -44,7 +44,7 @@ struct Mesh_file_content
 };
 
 // Looks at the beginning of a file; of what cannot be read, nothing is known.
-Mesh_file_content look_at_mesh_file(const std::string& filename);
+Mesh_file_content look_at_mesh_file(const std::string& filename, Mesh_format format);
 
 // Reads the vertices and faces of a file. Returns what is wrong, where, and what helps; nothing if all went well.
 std::string read_mesh_file(const std::string& filename, Polygon_soup& soup);

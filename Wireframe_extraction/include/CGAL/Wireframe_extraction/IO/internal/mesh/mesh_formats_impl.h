@@ -88,10 +88,9 @@ inline bool promises_faces(Chunked_input& input)
   return counts[1] > 0;
 }
 
-CGAL_WIREFRAME_EXTRACTION_INLINE Mesh_file_content look_at_mesh_file(const std::string& filename)
+CGAL_WIREFRAME_EXTRACTION_INLINE Mesh_file_content look_at_mesh_file(const std::string& filename, Mesh_format format)
 {
   Mesh_file_content content;
-  const Mesh_format format = find_mesh_format(filename);
   content.is_mesh = format == Mesh_format::STL || format == Mesh_format::OBJ;
   std::ifstream stream;
   std::string error;

@@ -12,27 +12,34 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_SAMPLING_STEP_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_SAMPLING_STEP_H
 
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Curve_sampling.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 #include <CGAL/number_utils.h>
 
 #include <optional>
-#include <type_traits>
 
 namespace CGAL {
 namespace IO {
 namespace internal {
 
-// the named parameter `sampling_step`, if it was given
+// a number, or one that may be there
+inline std::optional<double> optional_number(const std::optional<double>& value) { return value; }
+
+inline std::optional<double> optional_number(const CGAL::internal_np::Param_not_found&) { return std::nullopt; }
+
+template <class Number>
+std::optional<double> optional_number(const Number& value)
+{
+  return CGAL::to_double(value);
+}
+
+// the named parameters `sampling_step` and `chord_tolerance`
 template <class NamedParameters>
-std::optional<double> get_sampling_step(const NamedParameters& np)
+Curve_sampling get_sampling(const NamedParameters& np)
 {
   namespace internal_np = CGAL::Wireframe_extraction::internal_np;
-  typedef CGAL::internal_np::Param_not_found Not_found;
-  const auto step = CGAL::parameters::get_parameter(np, internal_np::sampling_step);
-  if constexpr (std::is_same<std::decay_t<decltype(step)>, Not_found>::value)
-    return std::nullopt;
-  else
-    return CGAL::to_double(step);
+  return {optional_number(CGAL::parameters::get_parameter(np, internal_np::sampling_step)),
+          optional_number(CGAL::parameters::get_parameter(np, internal_np::chord_tolerance))};
 }
 
 } // namespace internal

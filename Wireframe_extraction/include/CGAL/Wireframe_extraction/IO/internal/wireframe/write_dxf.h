@@ -23,9 +23,9 @@ namespace CGAL {
 namespace IO {
 namespace internal {
 
-// Writes a wireframe as DXF; says what went wrong.
+// Writes a wireframe as DXF, tilted conics as splines if they may be; says what went wrong.
 bool write_dxf(std::ostream& out, const Plain_wireframe& wireframe, Wireframe_extraction::Length_unit unit,
-               std::string& error);
+               bool are_tilted_splines, std::string& error);
 
 } // namespace internal
 } // namespace IO

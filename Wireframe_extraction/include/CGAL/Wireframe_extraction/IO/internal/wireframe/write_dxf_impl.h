@@ -24,6 +24,7 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <ostream>
@@ -40,7 +41,10 @@ class Dxf_entities
   typedef Plain_spline Spline;
 
 public:
-  explicit Dxf_entities(const Plain_traits& traits) : m_traits(traits) {}
+  // conics that are tilted against the xy plane may be splines, as other programs flatten them or put them elsewhere
+  Dxf_entities(const Plain_traits& traits, bool are_tilted_splines)
+    : m_traits(traits), m_are_tilted_splines(are_tilted_splines)
+  {}
 
   void add(const Plain_wireframe& wireframe)
   {
@@ -95,10 +99,29 @@ private:
     m_dxf.add(11, vector_of(curve.spline.control_points().back(), m_traits));
   }
 
+  // Many programs put an arc elsewhere unless its extrusion is exactly (0, 0, 1): that it is where the plane of the arc
+  // is level as far as is known. Then it runs the other way round if it was seen from below.
+  Orthonormal_conic upright_if_it_may_be(const Curve& curve) const
+  {
+    static constexpr double rounding = 1e-9;
+    Orthonormal_conic conic = orthonormal_conic(curve, m_traits);
+    const double tilt = std::hypot(conic.axis.x, conic.axis.y);
+    const Spline_vector level = {conic.x.x, conic.x.y, 0.};
+    if (!(tilt <= (std::max)(curve.uncertainty.direction, rounding)) || !(norm(level) > 0.))
+      return conic;
+    if (conic.axis.z < 0.)
+      conic.start_angle = -(conic.start_angle + conic.sweep);
+    conic.axis = {0., 0., 1.};
+    conic.x = unit_vector(level);
+    return conic;
+  }
+
   // The plane of a circle has axes of its own, which follow from its normal by the rule of the format.
   void add_circle(const Curve& curve)
   {
-    const Orthonormal_conic conic = orthonormal_conic(curve, m_traits);
+    const Orthonormal_conic conic = upright_if_it_may_be(curve);
+    if (m_are_tilted_splines && conic.axis.z < 1.)
+      return add_spline(curve.type, curve.spline);
     const Spline_vector n = conic.axis;
     const bool is_steep = std::abs(n.x) < 1. / 64. && std::abs(n.y) < 1. / 64.;
     const Spline_vector x = unit_vector(cross(is_steep ? Spline_vector{0., 1., 0.} : Spline_vector{0., 0., 1.}, n));
@@ -118,9 +141,9 @@ private:
 
   void add_ellipse(const Curve& curve)
   {
-    const Orthonormal_conic conic = orthonormal_conic(curve, m_traits);
+    const Orthonormal_conic conic = upright_if_it_may_be(curve);
     // the format has no flatter ones
-    if (conic.minor_radius < 1e-6 * conic.major_radius)
+    if (conic.minor_radius < 1e-6 * conic.major_radius || (m_are_tilted_splines && conic.axis.z < 1.))
       return add_spline(curve.type, curve.spline);
     start("ELLIPSE", dxf_layer_of(curve.type));
     m_dxf.add(100, "AcDbEllipse");
@@ -136,7 +159,9 @@ private:
   {
     start("SPLINE", dxf_layer_of(type));
     m_dxf.add(100, "AcDbSpline");
-    m_dxf.add(70, (spline.is_closed() ? 1 : 0) + (spline.is_rational() ? 4 : 0));
+    // One that is called closed has to be periodic for LibreCAD, which draws another curve of clamped knots. Where it
+    // ends, it starts in any case.
+    m_dxf.add(70, spline.is_rational() ? 4 : 0);
     m_dxf.add(71, spline.degree());
     m_dxf.add(72, spline.knots().size());
     m_dxf.add(73, spline.control_points().size());
@@ -164,6 +189,7 @@ private:
   }
 
   const Plain_traits& m_traits;
+  bool m_are_tilted_splines;
   Dxf_text m_dxf;
   Dxf_extent m_extent;
   std::size_t m_handle = 0x100;
@@ -171,13 +197,13 @@ private:
 
 CGAL_WIREFRAME_EXTRACTION_INLINE
 bool write_dxf(std::ostream& out, const Plain_wireframe& wireframe, Wireframe_extraction::Length_unit unit,
-               std::string& error)
+               bool are_tilted_splines, std::string& error)
 {
   const Plain_traits traits;
   error = wireframe_problem(wireframe, traits);
   if (!error.empty())
     return false;
-  Dxf_entities entities(traits);
+  Dxf_entities entities(traits, are_tilted_splines);
   entities.add(wireframe);
   Dxf_text before, after;
   add_dxf_header(unit, entities.extent(), entities.next_handle(), before);

@@ -28,7 +28,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -204,11 +203,11 @@ inline void write_glb(std::ostream& out, std::string json, const std::string& by
 }
 
 CGAL_WIREFRAME_EXTRACTION_INLINE
-bool write_gltf(std::ostream& out, const Plain_wireframe& wireframe, const std::optional<double>& step,
+bool write_gltf(std::ostream& out, const Plain_wireframe& wireframe, const Curve_sampling& sampling,
                 Wireframe_extraction::Length_unit unit, bool is_binary, std::string& error)
 {
   Sampled_wireframe sampled;
-  if (!sample_wireframe(wireframe, step, sampled, error))
+  if (!sample_wireframe(wireframe, sampling, sampled, error))
     return false;
   Gltf_scene scene(sampled);
   if (!scene.add(wireframe, error))

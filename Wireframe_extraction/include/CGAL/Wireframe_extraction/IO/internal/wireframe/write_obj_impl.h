@@ -20,7 +20,6 @@
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 
 #include <cstddef>
-#include <optional>
 #include <ostream>
 #include <string>
 
@@ -119,11 +118,11 @@ private:
   std::size_t m_number_of_points = 0;
 };
 
-inline bool write_obj_polylines(std::ostream& out, const Plain_wireframe& wireframe, const std::optional<double>& step,
+inline bool write_obj_polylines(std::ostream& out, const Plain_wireframe& wireframe, const Curve_sampling& sampling,
                                 std::string& error)
 {
   Sampled_wireframe sampled;
-  if (!sample_wireframe(wireframe, step, sampled, error))
+  if (!sample_wireframe(wireframe, sampling, sampled, error))
     return false;
   out << obj_comment(wireframe);
   for (const Coordinates& point : sampled.points)
@@ -139,11 +138,11 @@ inline bool write_obj_polylines(std::ostream& out, const Plain_wireframe& wirefr
 }
 
 CGAL_WIREFRAME_EXTRACTION_INLINE
-bool write_obj(std::ostream& out, const Plain_wireframe& wireframe, const std::optional<double>& step, bool has_splines,
+bool write_obj(std::ostream& out, const Plain_wireframe& wireframe, const Curve_sampling& sampling, bool has_splines,
                std::string& error)
 {
   if (!has_splines)
-    return write_obj_polylines(out, wireframe, step, error);
+    return write_obj_polylines(out, wireframe, sampling, error);
   const Plain_traits traits;
   error = wireframe_problem(wireframe, traits);
   if (error.empty())

@@ -12,10 +12,10 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_WRITE_PLY_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_WRITE_PLY_H
 
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Curve_sampling.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/Plain_wireframe.h>
 #include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
 
-#include <optional>
 #include <ostream>
 #include <string>
 
@@ -24,7 +24,7 @@ namespace IO {
 namespace internal {
 
 // Writes a wireframe as PLY; says what went wrong.
-bool write_ply(std::ostream& out, const Plain_wireframe& wireframe, const std::optional<double>& step, bool is_binary,
+bool write_ply(std::ostream& out, const Plain_wireframe& wireframe, const Curve_sampling& sampling, bool is_binary,
                std::string& error);
 
 } // namespace internal

@@ -21,7 +21,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -63,11 +62,11 @@ inline void write_ply_edge(std::ostream& out, std::size_t first, std::size_t sec
 }
 
 CGAL_WIREFRAME_EXTRACTION_INLINE
-bool write_ply(std::ostream& out, const Plain_wireframe& wireframe, const std::optional<double>& step, bool is_binary,
+bool write_ply(std::ostream& out, const Plain_wireframe& wireframe, const Curve_sampling& sampling, bool is_binary,
                std::string& error)
 {
   Sampled_wireframe sampled;
-  if (!sample_wireframe(wireframe, step, sampled, error))
+  if (!sample_wireframe(wireframe, sampling, sampled, error))
     return false;
   if (sampled.points.size() > static_cast<std::size_t>((std::numeric_limits<std::int32_t>::max)()))
   {

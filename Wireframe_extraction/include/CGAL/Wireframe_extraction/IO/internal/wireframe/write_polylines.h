@@ -12,10 +12,10 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_WRITE_POLYLINES_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_WRITE_POLYLINES_H
 
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Curve_sampling.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/Plain_wireframe.h>
 #include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
 
-#include <optional>
 #include <ostream>
 #include <string>
 
@@ -24,7 +24,7 @@ namespace IO {
 namespace internal {
 
 // Writes a wireframe as text of polylines; says what went wrong.
-bool write_polylines(std::ostream& out, const Plain_wireframe& wireframe, const std::optional<double>& step,
+bool write_polylines(std::ostream& out, const Plain_wireframe& wireframe, const Curve_sampling& sampling,
                      std::string& error);
 
 } // namespace internal

@@ -18,7 +18,6 @@
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 
 #include <cstddef>
-#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -28,11 +27,11 @@ namespace IO {
 namespace internal {
 
 CGAL_WIREFRAME_EXTRACTION_INLINE
-bool write_polylines(std::ostream& out, const Plain_wireframe& wireframe, const std::optional<double>& step,
+bool write_polylines(std::ostream& out, const Plain_wireframe& wireframe, const Curve_sampling& sampling,
                      std::string& error)
 {
   Sampled_wireframe sampled;
-  if (!sample_wireframe(wireframe, step, sampled, error))
+  if (!sample_wireframe(wireframe, sampling, sampled, error))
     return false;
   for (const std::vector<std::size_t>& polyline : sampled.polylines)
   {

@@ -12,11 +12,11 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_WRITE_SVG_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_WRITE_SVG_H
 
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Curve_sampling.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/Plain_wireframe.h>
 #include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
 #include <CGAL/Wireframe_extraction/policies.h>
 
-#include <optional>
 #include <ostream>
 #include <string>
 
@@ -25,7 +25,7 @@ namespace IO {
 namespace internal {
 
 // Writes a wireframe as SVG; says what went wrong.
-bool write_svg(std::ostream& out, const Plain_wireframe& wireframe, const std::optional<double>& step,
+bool write_svg(std::ostream& out, const Plain_wireframe& wireframe, const Curve_sampling& sampling,
                Wireframe_extraction::Length_unit unit, std::string& error);
 
 } // namespace internal

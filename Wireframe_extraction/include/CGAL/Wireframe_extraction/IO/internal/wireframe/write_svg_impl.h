@@ -27,7 +27,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <ostream>
 #include <set>
 #include <string>
@@ -197,11 +196,11 @@ private:
 };
 
 CGAL_WIREFRAME_EXTRACTION_INLINE
-bool write_svg(std::ostream& out, const Plain_wireframe& wireframe, const std::optional<double>& step,
+bool write_svg(std::ostream& out, const Plain_wireframe& wireframe, const Curve_sampling& sampling,
                Wireframe_extraction::Length_unit unit, std::string& error)
 {
   Sampled_wireframe sampled;
-  if (!sample_wireframe(wireframe, step, sampled, error))
+  if (!sample_wireframe(wireframe, sampling, sampled, error))
     return false;
   const Svg_drawing drawing(sampled);
   if (!drawing.is_finite())

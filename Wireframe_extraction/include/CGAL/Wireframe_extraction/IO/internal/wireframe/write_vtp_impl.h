@@ -22,7 +22,6 @@
 #include <CGAL/Wireframe_extraction/policies.h>
 
 #include <cstddef>
-#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -130,11 +129,11 @@ inline void write_vtp_lines(std::ostream& out, const std::vector<std::vector<std
 }
 
 CGAL_WIREFRAME_EXTRACTION_INLINE
-bool write_vtp(std::ostream& out, const Plain_wireframe& wireframe, const std::optional<double>& step,
+bool write_vtp(std::ostream& out, const Plain_wireframe& wireframe, const Curve_sampling& sampling,
                Wireframe_extraction::Length_unit unit, std::string& error)
 {
   Sampled_wireframe sampled;
-  if (!sample_wireframe(wireframe, step, sampled, error))
+  if (!sample_wireframe(wireframe, sampling, sampled, error))
     return false;
   out << "<?xml version=\"1.0\"?>\n"
          "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n"
