@@ -7,6 +7,7 @@
 #include "Batch_part.h"
 #include "Batch_record.h"
 #include "Error.h"
+#include "batch_index.h"
 #include "batch_summary.h"
 #include "run_batch.h"
 
@@ -34,6 +35,14 @@ public:
   const std::filesystem::path& own_folder() const { return m_own_folder; }
   const std::filesystem::path& work_folder() const { return m_work_folder; }
   const std::filesystem::path& summary() const { return m_summary; }
+  std::filesystem::path index() const { return m_folder / "index.html"; }
+
+  // whether there is something to see, and of the whole list
+  bool has_index() const
+  {
+    const auto is_shown = [](const std::string& format) { return format == "html" || format == "png"; };
+    return m_options.part.empty() && std::any_of(m_options.formats.begin(), m_options.formats.end(), is_shown);
+  }
 
   std::filesystem::path output(std::size_t i, const std::string& format) const
   {
@@ -75,6 +84,21 @@ public:
                       "another --summary");
   }
 
+  // So may the page that shows all.
+  void check_index() const
+  {
+    std::error_code code;
+    if (!has_index() || !std::filesystem::exists(index(), code))
+      return;
+    std::ifstream stream(index());
+    std::string line;
+    std::getline(stream, line);
+    if (line != index_mark())
+      throw Error(USAGE_ERROR,
+                  index().string()
+                    + ": is there, and is not the page of a batch; move it away, or give another --output-dir");
+  }
+
   // the clouds from the first one to before the last one
   void check_reserved_names(std::size_t first, std::size_t last) const
   {
@@ -87,7 +111,7 @@ public:
       const std::string name = m_list.output_name(i);
       bool is_taken = name.compare(0, 7, ".batch/") == 0 || name == ".batch";
       for (const std::string& format : m_options.formats)
-        is_taken = is_taken || name + "." + format == summary;
+        is_taken = is_taken || name + "." + format == summary || (has_index() && name + "." + format == "index.html");
       if (is_taken)
         throw Error(BAD_INPUT,
                     m_list.place(i) + ": " + name + " is the name of a file of the batch itself; rename "

@@ -308,8 +308,10 @@ private:
     add("--output-dir", batch.output_folder, "DIR",
         "Instead of OUT: the folder (made if missing) that gets the wireframe of a/b.ply as a/b.json. What is finished "
         "there is skipped, unless the cloud or the options have changed");
-    add("--format", batch.formats, "EXTENSION",
-        "What is written, as often as needed: the extension of an OUT; json if not given")
+    add(
+      "--format", batch.formats, "EXTENSION",
+      "What is written, as often as needed: the extension of an OUT, also html and png, which are shown by index.html "
+      "in the output folder; json if not given")
       ->take_all()
       ->allow_extra_args(false);
     add("--input-dir", batch.input_folder, "DIR",

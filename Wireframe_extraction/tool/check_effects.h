@@ -53,7 +53,7 @@ inline bool may_be_mesh(const Options& options)
 
 inline void check_effects_on_outputs(const CLI::App& app, const Options& options)
 {
-  require(app, "--view", options.has_png, "--png");
+  require(app, "--view", options.has_png || writes(options, {".png"}), "--png");
   require(app, "--output-format", std::count(options.outputs.begin(), options.outputs.end(), "-") > 0, "-o -");
   require(app, "--step-schema", writes(options, {".step", ".stp"}), "an output .step or .stp");
   require(app, "--obj-splines", writes(options, {".obj"}), "an output .obj");

@@ -53,6 +53,20 @@ int run_one(const Command_line& command_line, const Options& options)
   return SUCCESS;
 }
 
+// pages and pictures have options of their own
+void take_output(const std::string& name, Options& options)
+{
+  const std::string extension = CGAL::IO::internal::lower_extension(name);
+  options.has_html = options.has_html || extension == ".html";
+  options.has_png = options.has_png || extension == ".png";
+  if (extension == ".html")
+    options.html = name;
+  else if (extension == ".png")
+    options.png = name;
+  else
+    options.outputs.push_back(name);
+}
+
 // Cloud by cloud, each in a process of its own, where this is the same as if the tool were called for it.
 int run_many(const Command_line& command_line, const Options& options)
 {
@@ -63,11 +77,15 @@ int run_many(const Command_line& command_line, const Options& options)
   if (options.batch.number_of_jobs == 0)
     of_cloud.number_of_threads = (std::max)(options.number_of_threads, 1);
   for (const std::string& format : options.batch.formats)
-    Output_files<Kernel>::check_extension("--format ." + format, CGAL::IO::internal::lower_extension("OUT." + format));
+    if (format == "html" ? !has_viewer() : format == "png" ? !has_png() : true)
+      Output_files<Kernel>::check_extension("--format ." + format,
+                                            CGAL::IO::internal::lower_extension("OUT." + format));
   return run_batch(options.batch, [&](const std::string& cloud, const std::vector<std::string>& outputs) {
     Cloud_result result;
     of_cloud.input.files = {cloud};
-    of_cloud.outputs = outputs;
+    of_cloud.outputs.clear();
+    for (const std::string& output : outputs)
+      take_output(output, of_cloud);
     std::tie(result.exit_code, result.error) = outcome_of([&] {
       Extraction_run run(command_line, of_cloud);
       try

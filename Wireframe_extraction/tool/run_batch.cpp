@@ -66,6 +66,7 @@ public:
   int run()
   {
     m_files.check_summary();
+    m_files.check_index();
     Batch_files::make_folder(m_files.own_folder());
     const Batch_lock lock(m_files.own_folder(), m_part.name(), key_of_part());
     m_files.make_work_folder();
@@ -79,6 +80,8 @@ public:
     end(processes);
     progress.clear();
     write_summary();
+    if (m_files.has_index())
+      write_index();
     Batch_files::remove(m_files.work_folder());
     return tell_outcome();
   }
@@ -277,6 +280,24 @@ private:
       throw Error(INTERNAL_ERROR, error);
   }
 
+  void write_index() const
+  {
+    std::string error;
+    const bool is_written = CGAL::IO::internal::write_beside_and_rename(
+      m_files.index().string(),
+      [this](std::ostream& stream, std::string&) {
+        write_index_start(stream);
+        for (std::size_t i = m_begin; i < m_end; ++i)
+          write_index_row(stream, m_list.entry(i), m_list.output_name(i), m_statuses[i - m_begin],
+                          record_for_summary(i));
+        write_index_end(stream);
+        return static_cast<bool>(stream);
+      },
+      error);
+    if (!is_written)
+      throw Error(INTERNAL_ERROR, error);
+  }
+
   Batch_record record_for_summary(std::size_t i) const
   {
     Batch_record record;
@@ -299,7 +320,8 @@ private:
     if (!m_options.is_quiet)
       std::cout << "Clouds      " << m_statuses.size() << ": " << count(Batch_status::OK) << " ok, "
                 << count(Batch_status::SKIPPED) << " done before, " << failed << " failed, "
-                << count(Batch_status::PENDING) << " pending\nSummary     " << m_files.summary().string() << std::endl;
+                << count(Batch_status::PENDING) << " pending\nSummary     " << m_files.summary().string()
+                << (m_files.has_index() ? "\nPage        " + m_files.index().string() : "") << std::endl;
     if (signal_to_end() != 0)
       return 128 + signal_to_end();
     if (failed > 0)

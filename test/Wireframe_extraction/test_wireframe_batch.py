@@ -8,12 +8,14 @@ import csv
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
 import sys
 import time
 import unittest
+import urllib.parse
 
 from program_test import BAD_INPUT, BUSY, NO_FEATURE, SOME_FAILED, SUCCESS, TIME_LIMIT, USAGE_ERROR, Program_test, main
 
@@ -54,6 +56,43 @@ class Batch_test(Program_test):
         super().setUpClass()
         for shape in ("box", "cylinder"):
             cls.make_cloud(f"{shape}.ply", shape, "--points", 2000)
+
+    # ---- pages and pictures ----
+
+    def test_index(self):
+        """All clouds are on one page, with their pictures and pages beside it."""
+        version = self.execute(self.folder, "--version").stdout
+        formats = [name for name in ("html", "png") if not re.search(rf"--{name} +not built in", version)]
+        if not formats:
+            self.skipTest("the tool is built without --html and --png")
+        for name in ("a.ply", "b/größe & co.ply", "broken.ply"):
+            self.put(name)
+        (self.folder / "broken.ply").write_text("ply <b>\n")
+        self.put_list("a.ply", "b/größe & co.ply", "broken.ply")
+        arguments = ["--format", "json", *sum((["--format", name] for name in formats), [])]
+        for _ in range(2):   # the second time, what is there is shown
+            done = self.run_batch(*arguments, code=SOME_FAILED)
+            self.assertIn("index.html", done.stdout)
+            page = (self.folder / "out/index.html").read_text()
+            self.assertEqual(page.count("<tr class="), 3)
+            self.assertIn('<tr class="failed">', page)
+            self.assertNotIn("<b>", page)
+            self.assertIn("größe &amp; co.ply", page)
+            self.assertNotIn("http", page)   # it needs no network
+            addresses = [urllib.parse.unquote(name) for name in re.findall(r'(?:src|href)="([^"]+)"', page)]
+            self.assertGreaterEqual(len(addresses), 2 * (1 + 2 * len(formats)))
+            for name in addresses:
+                self.assertGreater((self.folder / "out" / name).stat().st_size, 100)
+        (self.folder / "out/index.html").write_text("mine")
+        self.assertIn("index.html", self.run_batch(*arguments, code=USAGE_ERROR).stderr)
+        self.assertEqual((self.folder / "out/index.html").read_text(), "mine")
+        self.put("index.ply")
+        self.put_list("index.ply")
+        if "html" in formats:
+            self.run_batch(*arguments, code=BAD_INPUT, output="other")
+        self.put_list("a.ply")
+        self.run_batch(output="plain")
+        self.assertFalse((self.folder / "plain/index.html").exists())
 
     # ---- tools ----
 
