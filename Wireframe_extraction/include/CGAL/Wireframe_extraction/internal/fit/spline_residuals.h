@@ -92,7 +92,7 @@ public:
     {
       Vector offset = sample.point;
       for (int j = 0; j < 4; ++j)
-        offset -= sample.basis[j] * Eigen::Map<const Vector>(m_controls[j]);
+        offset -= sample.basis[j] * Vector(m_controls[j]);
       const double distance = offset.norm(), e = sample.weight * (sample.distance - distance);
       const Cauchy_factor factor = m_scale > 0. ? Cauchy_factor(e * e, m_scale * m_scale) : Cauchy_factor();
       const double residual = factor.value * e;

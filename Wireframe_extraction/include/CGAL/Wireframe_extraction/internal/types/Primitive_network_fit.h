@@ -202,7 +202,7 @@ private:
     const Edge_curve one = take_part(tangency.edges[0], result), two = take_part(tangency.edges[1], result);
     const std::size_t vertex = enter({vertices[tangency.vertex].data()}, result.blocks)[0];
     result.function = [=](double const* const* blocks) {
-      const Vector place = Eigen::Map<const Vector>(blocks[vertex]);
+      const Vector place = Vector(blocks[vertex]);
       return Vector(one(blocks).tangent(place).cross(two(blocks).tangent(place)));
     };
     return result;
@@ -240,7 +240,7 @@ private:
     const Edge_curve curve = take_part(edge, result);
     const std::size_t place = enter({vertices[vertex].data()}, result.blocks)[0];
     result.function = [=](double const* const* blocks) {
-      const Vector p = Eigen::Map<const Vector>(blocks[place]);
+      const Vector p = Vector(blocks[place]);
       return Vector(curve(blocks).foot(p) - p);
     };
     return result;
@@ -321,7 +321,7 @@ private:
     problem.AddResidualBlock(new Geometric_residual(1,
                                                     [root, place](double const* const* parameters) {
                                                       return Vector(
-                                                        root * (Eigen::Map<const Vector>(parameters[0]) - place));
+                                                        root * (Vector(parameters[0]) - place));
                                                     }),
                              nullptr, vertex.data());
   }

@@ -41,7 +41,7 @@ public:
 
   bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override
   {
-    Eigen::Map<Vector> value(residuals);
+    Eigen::Map<Eigen::Vector3d> value(residuals);
     value = m_function(blocks);
     if (!value.allFinite())
       return false;
@@ -52,7 +52,7 @@ public:
     std::vector<const double*> pointers(count);
     for (std::size_t b = 0; b < count; ++b)
     {
-      changed[b] = Eigen::Map<const Vector>(blocks[b]);
+      changed[b] = Vector(blocks[b]);
       pointers[b] = changed[b].data();
     }
     constexpr double h = 1e-5;
@@ -114,7 +114,7 @@ private:
   {
     std::array<const double*, 3> pointers{};
     std::copy(m_blocks.begin(), m_blocks.end(), pointers.begin());
-    Vector changed = Eigen::Map<const Vector>(m_blocks[block]);
+    Vector changed = Vector(m_blocks[block]);
     changed[coordinate] += by;
     pointers[block] = changed.data();
     return Primitive_edge::curve(m_kind, pointers.data());
@@ -153,7 +153,7 @@ public:
 
   bool Evaluate(double const* const*, double* residuals, double** jacobians) const override
   {
-    Eigen::Map<Vector> value(residuals);
+    Eigen::Map<Eigen::Vector3d> value(residuals);
     value = m_root * (m_edge.curve().foot(m_position) - m_position);
     if (!value.allFinite())
       return false;
