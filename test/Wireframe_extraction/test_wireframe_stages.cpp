@@ -634,9 +634,9 @@ void test_farthest_point_sampling()
     {
       WE::internal::Vector p(random.uniform(), random.uniform(), random.uniform());
       if (seed % 3 == 0)
-        p = (8. * p).array().floor(); // a lattice: ties and duplicates
+        p = (8. * p).array().floor().matrix(); // a lattice: ties and duplicates
       else if (seed % 3 == 1)
-        p = p.array().pow(6.); // dense in one corner
+        p = p.array().pow(6.).matrix(); // dense in one corner
       positions.push_back(p);
     }
     for (std::size_t count : {std::size_t(1), n / 10, n, 2 * n})

@@ -21,10 +21,10 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// A vector in space, whose usual operations are plain functions. Those of Eigen are templates, of which every sum and every
-// difference makes a new type, and which take a third of the time that it takes to compile the library. What stands here
-// hides them where all operands are such vectors, and gives the same to the last bit; with matrices and parts of vectors it
-// is Eigen's vector.
+// A vector in space, whose usual operations are plain functions. Those of Eigen are templates, of which every sum
+// and every difference makes a new type; without these the library compiles in less time and memory. What stands here
+// hides them where all operands are such vectors, and gives the same to the last bit. With matrices and parts of
+// vectors it is Eigen's vector.
 class Vector : public Eigen::Vector3d
 {
   typedef Eigen::Vector3d Base;
@@ -36,8 +36,7 @@ public:
 
   template <class Expression>
   Vector(const Eigen::MatrixBase<Expression>& expression) : Base(expression)
-  {
-  }
+  {}
 
   explicit Vector(const double* coordinates) : Base(coordinates[0], coordinates[1], coordinates[2]) {}
 

@@ -318,12 +318,10 @@ private:
 
   static void add_pull(ceres::Problem& problem, Vector& vertex, const Eigen::Matrix3d& root, const Vector& place)
   {
-    problem.AddResidualBlock(new Geometric_residual(1,
-                                                    [root, place](double const* const* parameters) {
-                                                      return Vector(
-                                                        root * (Vector(parameters[0]) - place));
-                                                    }),
-                             nullptr, vertex.data());
+    problem.AddResidualBlock(
+      new Geometric_residual(
+        1, [root, place](double const* const* parameters) { return Vector(root * (Vector(parameters[0]) - place)); }),
+      nullptr, vertex.data());
   }
 };
 
