@@ -255,8 +255,6 @@ def long_lines(path):
 # what clang-format makes of data members without their values: a type, and names
 DATA_MEMBER = re.compile(r"(?!(?:typedef|using|static|friend|enum|struct|class|template|return|explicit|CGAL_\w+)\b)"
                          r"(?:mutable |const )*[\w:]+(?:<.*>)?(?:::\w+)?(?: const)?[ *&]+(?:const )?(\w+(?:, \w+)*);")
-# programs that make cases are older than the rule
-WITHOUT_NAMES_OF_MEMBERS = ("Case_maker", "Sample_solids")
 
 
 def without_values(declaration):
@@ -304,8 +302,7 @@ class Layout_test(unittest.TestCase):
                          f"more than {MOST_COLUMNS} columns")
 
     def test_names_of_members(self):
-        paths = [path for path in self.sources() if not set(WITHOUT_NAMES_OF_MEMBERS) & set(path.parts)]
-        self.assertEqual([], [f"{path}:{number}: {name}" for path in paths
+        self.assertEqual([], [f"{path}:{number}: {name}" for path in self.sources()
                               for number, name in badly_named_members(path)], "data members of classes start with m_")
 
     def test_library(self):

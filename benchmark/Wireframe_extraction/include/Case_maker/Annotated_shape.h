@@ -96,24 +96,24 @@ public:
     bool is_flipped; ///< its corners are (i+1, j+1), (i, j+1), (i+1, j) if so, else (i, j), (i+1, j), (i, j+1)
   };
 
-  explicit Mesh_tiling(const Labelled_mesh& m_mesh) : mesh(m_mesh) {}
+  explicit Mesh_tiling(const Labelled_mesh& mesh) : m_mesh(mesh) {}
 
   std::vector<Tile> tiles(double side)
   {
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    for (std::size_t i = 0; i < m_mesh.triangles.size(); ++i)
     {
-      const Triangle& t = mesh.triangles[i];
+      const Triangle& t = m_mesh.triangles[i];
       const std::uint32_t index = static_cast<std::uint32_t>(i);
-      add_pieces(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], index, side);
+      add_pieces(m_mesh.points[t[0]], m_mesh.points[t[1]], m_mesh.points[t[2]], index, side);
     }
     double heaviest = 0;
-    for (const Piece& piece : pieces)
+    for (const Piece& piece : m_pieces)
       heaviest = (std::max)(heaviest, piece.weight);
     std::vector<Tile> result;
-    for (std::uint32_t k = 0; k < pieces.size(); ++k)
+    for (std::uint32_t k = 0; k < m_pieces.size(); ++k)
     {
-      pieces[k].weight /= heaviest;
-      const std::uint32_t n = static_cast<std::uint32_t>(pieces[k].rows);
+      m_pieces[k].weight /= heaviest;
+      const std::uint32_t n = static_cast<std::uint32_t>(m_pieces[k].rows);
       for (std::uint32_t i = 0; i < n; ++i)
         for (std::uint32_t j = 0; i + j < n; ++j)
         {
@@ -127,7 +127,7 @@ public:
 
   bool throw_dart(const Tile& tile, Random& random, Point& p) const
   {
-    const Piece& piece = pieces[tile.piece];
+    const Piece& piece = m_pieces[tile.piece];
     if (random.uniform() > piece.weight)
       return false;
     double u = random.uniform(), v = random.uniform();
@@ -145,11 +145,11 @@ public:
 
   Point center(const Tile& tile) const { return at(tile, 1. / 3., 1. / 3.); }
 
-  double extent(const Tile& tile) const { return pieces[tile.piece].extent / pieces[tile.piece].rows; }
+  double extent(const Tile& tile) const { return m_pieces[tile.piece].extent / m_pieces[tile.piece].rows; }
 
   void halve()
   {
-    for (Piece& piece : pieces)
+    for (Piece& piece : m_pieces)
       piece.rows *= 2;
   }
 
@@ -163,7 +163,7 @@ public:
     return {tile.piece, i - k % 2, j - k / 2, true};
   }
 
-  std::uint32_t face(const Tile& tile) const { return pieces[tile.piece].triangle; }
+  std::uint32_t face(const Tile& tile) const { return m_pieces[tile.piece].triangle; }
 
 private:
   struct Piece
@@ -235,12 +235,12 @@ private:
     const double rows = (std::max)(1., std::ceil(longest / side));
     const Point center = (1. / 3.) * (a + b + c);
     const double extent = (std::max)({distance(a, center), distance(b, center), distance(c, center)});
-    pieces.push_back({a, b - a, c - a, triangle, rows, area / (rows * rows), extent});
+    m_pieces.push_back({a, b - a, c - a, triangle, rows, area / (rows * rows), extent});
   }
 
   Point at(const Tile& tile, double u, double v) const
   {
-    const Piece& piece = pieces[tile.piece];
+    const Piece& piece = m_pieces[tile.piece];
     if (tile.is_flipped)
     {
       u = 1. - u;
@@ -249,8 +249,8 @@ private:
     return piece.corner + ((tile.i + u) / piece.rows) * piece.u + ((tile.j + v) / piece.rows) * piece.v;
   }
 
-  const Labelled_mesh& mesh;
-  std::vector<Piece> pieces;
+  const Labelled_mesh& m_mesh;
+  std::vector<Piece> m_pieces;
 };
 
 } // namespace internal

@@ -31,12 +31,12 @@ enum Exit_code
 class Case_error : public std::runtime_error
 {
 public:
-  Case_error(Exit_code m_code, const std::string& text) : std::runtime_error(text), code(m_code) {}
+  Case_error(Exit_code code, const std::string& text) : std::runtime_error(text), m_code(code) {}
 
-  Exit_code exit_code() const { return code; }
+  Exit_code exit_code() const { return m_code; }
 
 private:
-  Exit_code code;
+  Exit_code m_code;
 };
 
 /// returns the error of a bad file.

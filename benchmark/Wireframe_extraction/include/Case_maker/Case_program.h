@@ -54,71 +54,71 @@ public:
   /// says what is to be done, once the options are known
   typedef std::function<std::vector<Case_job>()> Job_maker;
 
-  Case_program(const std::string& m_name, const std::string& description) : name(m_name), app(description, m_name)
+  Case_program(const std::string& name, const std::string& description) : m_name(name), m_app(description, name)
   {
-    app.set_version_flag("--version", name + " " + WIREFRAME_EXTRACTION_VERSION_STRING);
-    app.add_option("-o,--output", output, "directory in which each shape gets a directory of its own");
-    app.add_option("--name", case_name, "name of the directory of a single shape; default: that of its file");
-    app.add_option("--batch", batch, "make a case of every shape in this directory and those below");
-    app.add_option("--r,--sampling-distance", rule.sampling_distance, "sampling distance, after scaling")
+    m_app.set_version_flag("--version", m_name + " " + WIREFRAME_EXTRACTION_VERSION_STRING);
+    m_app.add_option("-o,--output", m_output, "directory in which each shape gets a directory of its own");
+    m_app.add_option("--name", m_case_name, "name of the directory of a single shape; default: that of its file");
+    m_app.add_option("--batch", m_batch, "make a case of every shape in this directory and those below");
+    m_app.add_option("--r,--sampling-distance", m_rule.sampling_distance, "sampling distance, after scaling")
       ->capture_default_str()
       ->check(number_check());
-    app
-      .add_option("--quantile", rule.quantile,
+    m_app
+      .add_option("--quantile", m_rule.quantile,
                   "shapes are scaled by this quantile of the lengths of their sharp curves; 0 is the shortest "
                   "curve, 1 the longest")
       ->capture_default_str()
       ->check(CLI::Range(0., 1.));
-    app
-      .add_option("--quantile-length", rule.quantile_length,
+    m_app
+      .add_option("--quantile-length", m_rule.quantile_length,
                   "how long the curves of this quantile become, in sampling distances")
       ->capture_default_str()
       ->check(number_check());
-    app.add_option("--max-points", rule.max_points, "most points of a cloud")
+    m_app.add_option("--max-points", m_rule.max_points, "most points of a cloud")
       ->capture_default_str()
       ->check(CLI::Range(std::size_t(50), std::size_t(100000000)));
-    app
-      .add_option("--too-many", too_many,
+    m_app
+      .add_option("--too-many", m_too_many,
                   "what becomes of shapes that need more points: they are made smaller, so that their curves "
                   "become shorter, or left out")
       ->capture_default_str()
       ->check(CLI::IsMember({"coarsen", "skip"}));
-    app.add_option("--truncate", sampling.truncation, "upper bound of the field, in sampling distances")
+    m_app.add_option("--truncate", m_sampling.truncation, "upper bound of the field, in sampling distances")
       ->capture_default_str()
       ->check(number_check());
-    app
-      .add_option("--field-scope", scope,
+    m_app
+      .add_option("--field-scope", m_scope,
                   "which sharp curves count: those of the point's own surface and the surfaces adjacent to it, "
                   "or all")
       ->capture_default_str()
       ->check(CLI::IsMember({"adjacent", "all"}));
-    app.add_option("--fields", fields, "the fields, separated by commas")
+    m_app.add_option("--fields", m_fields, "the fields, separated by commas")
       ->capture_default_str()
       ->delimiter(',')
       ->check(CLI::IsMember({"exact", "def", "noisy"}));
-    app
-      .add_option("--position-noise", position_noise,
+    m_app
+      .add_option("--position-noise", m_position_noise,
                   "by how much the noisy field's points are moved: the standard deviation per coordinate, in "
                   "sampling distances")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
-    app.add_option("--seed", sampling.seed, "of the random numbers, a whole number")->capture_default_str();
-    app.add_flag("--force", is_forced, "overwrite cases that exist");
-    app.add_flag("--skip-existing", is_existing_skipped, "leave out cases that exist, to go on with a batch");
+    m_app.add_option("--seed", m_sampling.seed, "of the random numbers, a whole number")->capture_default_str();
+    m_app.add_flag("--force", m_is_forced, "overwrite cases that exist");
+    m_app.add_flag("--skip-existing", m_is_existing_skipped, "leave out cases that exist, to go on with a batch");
   }
 
-  CLI::App& options() { return app; }
-  const std::string& batch_directory() const { return batch; }
-  const std::string& name_of_case() const { return case_name; }
+  CLI::App& options() { return m_app; }
+  const std::string& batch_directory() const { return m_batch; }
+  const std::string& name_of_case() const { return m_case_name; }
 
   int run(int argc, char** argv, const Job_maker& make_jobs, const Shape_maker& make_shape)
   {
     try
     {
-      app.parse(argc, argv);
+      m_app.parse(argc, argv);
       check();
       const std::vector<Case_job> jobs = make_jobs();
-      if (!batch.empty())
+      if (!m_batch.empty())
         return run_batch(jobs, make_shape);
       run_job(jobs.front(), make_shape);
       return SUCCESS;
@@ -126,7 +126,7 @@ public:
     catch (const CLI::ParseError& error)
     {
       if (error.get_exit_code() == 0)
-        return app.exit(error);
+        return m_app.exit(error);
       return report(error.what(), USAGE_ERROR);
     }
     catch (const std::exception& error)
@@ -138,17 +138,17 @@ public:
 private:
   void check()
   {
-    if (output.empty())
+    if (m_output.empty())
       throw Case_error(USAGE_ERROR, "say where to write: -o DIRECTORY");
-    if (!batch.empty() && !case_name.empty())
+    if (!m_batch.empty() && !m_case_name.empty())
       throw Case_error(USAGE_ERROR, "--name is for a single shape, not for a batch");
-    if (is_forced && is_existing_skipped)
+    if (m_is_forced && m_is_existing_skipped)
       throw Case_error(USAGE_ERROR, "--force and --skip-existing contradict each other");
-    if (!batch.empty() && !std::filesystem::is_directory(batch))
-      throw Case_error(USAGE_ERROR, "'" + batch + "' is not a directory");
-    sampling.sampling_distance = rule.sampling_distance;
-    sampling.scope = scope == "all" ? Field_scope::ALL : Field_scope::ADJACENT;
-    rule.is_coarsened = too_many == "coarsen";
+    if (!m_batch.empty() && !std::filesystem::is_directory(m_batch))
+      throw Case_error(USAGE_ERROR, "'" + m_batch + "' is not a directory");
+    m_sampling.sampling_distance = m_rule.sampling_distance;
+    m_sampling.scope = m_scope == "all" ? Field_scope::ALL : Field_scope::ADJACENT;
+    m_rule.is_coarsened = m_too_many == "coarsen";
   }
 
   /// makes all cases; what goes wrong with one is told, and the others are made.
@@ -176,12 +176,12 @@ private:
         }
         if (error.exit_code() == INTERNAL_ERROR) // the disk is full: the others would fail, too
           throw;
-        std::cerr << name << ": " << job.name << ": " << error.what() << std::endl;
+        std::cerr << m_name << ": " << job.name << ": " << error.what() << std::endl;
         ++failed;
       }
       catch (const std::exception& error)
       {
-        std::cerr << name << ": " << job.name << ": ";
+        std::cerr << m_name << ": " << job.name << ": ";
         report(error);
         ++failed;
       }
@@ -194,18 +194,18 @@ private:
     namespace fs = std::filesystem;
     if (!job.problem.empty())
       throw bad_input(job.problem);
-    const fs::path directory = fs::path(output) / job.name;
+    const fs::path directory = fs::path(m_output) / job.name;
     // the truth is written last: where it is, the case is complete
-    if (fs::exists(directory / "truth.json") && !is_forced)
+    if (fs::exists(directory / "truth.json") && !m_is_forced)
     {
-      if (is_existing_skipped)
+      if (m_is_existing_skipped)
         throw Case_skipped("it exists");
       throw Case_error(USAGE_ERROR,
                        "'" + directory.string()
                          + "' exists; --force overwrites it, "
                            "--skip-existing leaves it out");
     }
-    const Annotated_shape shape = make_shape(job, rule);
+    const Annotated_shape shape = make_shape(job, m_rule);
     std::error_code ignored;
     fs::create_directories(directory, ignored);
     if (!fs::is_directory(directory))
@@ -216,8 +216,8 @@ private:
 
   void write_case(const std::filesystem::path& directory, const std::string& case_of, const Annotated_shape& shape)
   {
-    Cloud exact = sample_exactly(shape, sampling);
-    const double r = sampling.sampling_distance;
+    Cloud exact = sample_exactly(shape, m_sampling);
+    const double r = m_sampling.sampling_distance;
     const Ground_truth truth = ground_truth(shape.edges, r);
     std::ostringstream text;
     text << case_of << ": " << exact.points.size() << " points, sampling distance " << r << ", " << truth.curves.size()
@@ -225,11 +225,11 @@ private:
     if (!shape.remarks.empty())
       text << "; " << shape.remarks;
     std::cout << text.str() << std::endl;
-    for (const std::string& field : fields)
+    for (const std::string& field : m_fields)
     {
       const Field_kind kind = field_kind_of(field);
       Cloud cloud = exact;
-      disturb(cloud, kind, kind == Field_kind::NOISY ? position_noise : 0., sampling.seed);
+      disturb(cloud, kind, kind == Field_kind::NOISY ? m_position_noise : 0., m_sampling.seed);
       write(directory / (field + ".ply"), [&](std::ostream& out) { return write_ply(out, cloud); });
     }
     write(directory / "truth.json",
@@ -248,7 +248,7 @@ private:
 
   int report(const std::string& text, int code) const
   {
-    std::cerr << name << ": " << text << '\n';
+    std::cerr << m_name << ": " << text << '\n';
     return code;
   }
 
@@ -263,14 +263,14 @@ private:
     return report(error.what(), INTERNAL_ERROR);
   }
 
-  std::string name;
-  CLI::App app;
-  std::string output, case_name, batch, too_many = "coarsen", scope = "adjacent";
-  std::vector<std::string> fields = {"exact", "def", "noisy"};
-  Scale_rule rule;
-  Case_sampling sampling;
-  double position_noise = 0.25;
-  bool is_forced = false, is_existing_skipped = false;
+  std::string m_name;
+  CLI::App m_app;
+  std::string m_output, m_case_name, m_batch, m_too_many = "coarsen", m_scope = "adjacent";
+  std::vector<std::string> m_fields = {"exact", "def", "noisy"};
+  Scale_rule m_rule;
+  Case_sampling m_sampling;
+  double m_position_noise = 0.25;
+  bool m_is_forced = false, m_is_existing_skipped = false;
 };
 
 /// returns the files below a directory whose names end in one of the given ways, sorted.

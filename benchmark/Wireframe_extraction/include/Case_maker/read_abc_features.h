@@ -57,7 +57,7 @@ namespace internal {
 class Abc_feature_handler : public YAML::EventHandler
 {
 public:
-  Abc_feature_handler(const std::string& m_path, Abc_features& m_features) : path(m_path), features(m_features) {}
+  Abc_feature_handler(const std::string& path, Abc_features& features) : m_path(path), m_features(features) {}
 
   void OnDocumentStart(const YAML::Mark&) override {}
   void OnDocumentEnd() override {}
@@ -65,15 +65,15 @@ public:
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override
   {
-    throw bad_input(path, line_of(mark), "YAML aliases are not understood here; write the value itself");
+    throw bad_input(m_path, line_of(mark), "YAML aliases are not understood here; write the value itself");
   }
 
   void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t, const std::string& text) override
   {
-    if (!frames.empty() && frames.back().is_map && !frames.back().has_key)
+    if (!m_frames.empty() && m_frames.back().is_map && !m_frames.back().has_key)
     {
-      frames.back().key = text;
-      frames.back().has_key = true;
+      m_frames.back().key = text;
+      m_frames.back().has_key = true;
     }
     else
       value(mark, text);
@@ -81,25 +81,25 @@ public:
 
   void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override
   {
-    frames.push_back(Frame{false, false, ""});
+    m_frames.push_back(Frame{false, false, ""});
   }
 
   void OnSequenceEnd() override { close(); }
 
   void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override
   {
-    frames.push_back(Frame{true, false, ""});
-    if (frames.size() != 3 || !frames[0].is_map || frames[1].is_map)
+    m_frames.push_back(Frame{true, false, ""});
+    if (m_frames.size() != 3 || !m_frames[0].is_map || m_frames[1].is_map)
       return;
-    if (frames[0].key == "curves")
+    if (m_frames[0].key == "curves")
     {
-      features.curves.emplace_back();
-      features.curves.back().line = line_of(mark);
+      m_features.curves.emplace_back();
+      m_features.curves.back().line = line_of(mark);
     }
-    else if (frames[0].key == "surfaces")
+    else if (m_frames[0].key == "surfaces")
     {
-      features.surfaces.emplace_back();
-      features.surfaces.back().line = line_of(mark);
+      m_features.surfaces.emplace_back();
+      m_features.surfaces.back().line = line_of(mark);
     }
   }
 
@@ -117,25 +117,25 @@ private:
 
   void close()
   {
-    frames.pop_back();
-    if (!frames.empty() && frames.back().is_map)
-      frames.back().has_key = false;
+    m_frames.pop_back();
+    if (!m_frames.empty() && m_frames.back().is_map)
+      m_frames.back().has_key = false;
   }
 
   /// a scalar that is no key
   void value(const YAML::Mark& mark, const std::string& text)
   {
-    const bool is_of_list = frames.size() == 4 && !frames[3].is_map;
-    if ((frames.size() == 3 || is_of_list) && frames[0].is_map && !frames[1].is_map && frames[2].is_map)
+    const bool is_of_list = m_frames.size() == 4 && !m_frames[3].is_map;
+    if ((m_frames.size() == 3 || is_of_list) && m_frames[0].is_map && !m_frames[1].is_map && m_frames[2].is_map)
     {
-      const std::string& name = frames[2].key;
-      if (frames[0].key == "curves" && !features.curves.empty())
-        set(features.curves.back(), name, is_of_list, mark, text);
-      else if (frames[0].key == "surfaces" && !features.surfaces.empty())
-        set(features.surfaces.back(), name, is_of_list, mark, text);
+      const std::string& name = m_frames[2].key;
+      if (m_frames[0].key == "curves" && !m_features.curves.empty())
+        set(m_features.curves.back(), name, is_of_list, mark, text);
+      else if (m_frames[0].key == "surfaces" && !m_features.surfaces.empty())
+        set(m_features.surfaces.back(), name, is_of_list, mark, text);
     }
-    if (!frames.empty() && frames.back().is_map)
-      frames.back().has_key = false;
+    if (!m_frames.empty() && m_frames.back().is_map)
+      m_frames.back().has_key = false;
   }
 
   void set(Abc_curve& curve, const std::string& name, bool is_of_list, const YAML::Mark& mark, const std::string& text)
@@ -147,7 +147,7 @@ private:
     else if (name == "sharp")
     {
       if (is_of_list || (text != "true" && text != "false"))
-        throw bad_input(path, line_of(mark), "'sharp' is true or false, not '" + text + "'");
+        throw bad_input(m_path, line_of(mark), "'sharp' is true or false, not '" + text + "'");
       curve.is_sharp = text == "true";
       curve.has_sharp = true;
     }
@@ -167,14 +167,14 @@ private:
     const bool is_whole =
       !text.empty() && text.size() < 10 && text.find_first_not_of("0123456789") == std::string::npos;
     if (!is_of_list || !is_whole)
-      throw bad_input(path, line_of(mark),
+      throw bad_input(m_path, line_of(mark),
                       "'" + name + "' is a list of whole numbers, counted from 0, not '" + text + "'");
     return static_cast<std::uint32_t>(std::stoul(text));
   }
 
-  std::string path;
-  Abc_features& features;
-  std::vector<Frame> frames;
+  std::string m_path;
+  Abc_features& m_features;
+  std::vector<Frame> m_frames;
 };
 
 } // namespace internal

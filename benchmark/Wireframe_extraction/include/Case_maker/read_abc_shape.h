@@ -34,10 +34,10 @@ namespace internal {
 class Abc_shape_builder
 {
 public:
-  Abc_shape_builder(const std::string& m_mesh_path, const std::string& m_features_path)
-    : mesh_path(m_mesh_path), features_path(m_features_path), features(read_abc_features(m_features_path))
+  Abc_shape_builder(const std::string& mesh_path, const std::string& features_path)
+    : m_mesh_path(mesh_path), m_features_path(features_path), m_features(read_abc_features(m_features_path))
   {
-    shape.mesh = read_obj_mesh(mesh_path);
+    m_shape.mesh = read_obj_mesh(m_mesh_path);
   }
 
   Annotated_shape build(const Scale_rule& rule)
@@ -46,13 +46,13 @@ public:
     collect_mesh_edges();
     select_curves();
     std::vector<double> lengths;
-    for (const Abc_curve* curve : selected)
+    for (const Abc_curve* curve : m_selected)
       lengths.push_back(length_of(*curve));
-    const double scale = choose_scale(lengths, shape.mesh.area(), rule, shape.remarks);
-    for (Point& p : shape.mesh.points)
+    const double scale = choose_scale(lengths, m_shape.mesh.area(), rule, m_shape.remarks);
+    for (Point& p : m_shape.mesh.points)
       p = scale * p;
     add_curves();
-    return std::move(shape);
+    return std::move(m_shape);
   }
 
 private:
@@ -70,49 +70,49 @@ private:
   void label_triangles()
   {
     const std::uint32_t none = 0xffffffffu;
-    std::vector<std::uint32_t>& patches = shape.mesh.patches;
-    patches.assign(shape.mesh.triangles.size(), none);
-    for (std::size_t i = 0; i < features.surfaces.size(); ++i)
-      for (std::uint32_t face : features.surfaces[i].faces)
+    std::vector<std::uint32_t>& patches = m_shape.mesh.patches;
+    patches.assign(m_shape.mesh.triangles.size(), none);
+    for (std::size_t i = 0; i < m_features.surfaces.size(); ++i)
+      for (std::uint32_t face : m_features.surfaces[i].faces)
       {
         if (face >= patches.size())
-          fail(features.surfaces[i].line,
-               "surface " + std::to_string(i) + " has the face " + std::to_string(face) + ", but '" + mesh_path
+          fail(m_features.surfaces[i].line,
+               "surface " + std::to_string(i) + " has the face " + std::to_string(face) + ", but '" + m_mesh_path
                  + "' has " + std::to_string(patches.size())
                  + " faces, counted from 0; do the two files belong together?");
         if (patches[face] != none && patches[face] != i)
-          fail(features.surfaces[i].line,
+          fail(m_features.surfaces[i].line,
                "face " + std::to_string(face) + " belongs to the surfaces " + std::to_string(patches[face]) + " and "
                  + std::to_string(i));
         patches[face] = static_cast<std::uint32_t>(i);
       }
     for (std::size_t i = 0; i < patches.size(); ++i)
-      if (patches[i] == none && shape.mesh.area_of(i) > 0)
-        throw bad_input("face " + std::to_string(i) + " of '" + mesh_path + "' belongs to no surface of '"
-                        + features_path + "'; do the two files belong together?");
+      if (patches[i] == none && m_shape.mesh.area_of(i) > 0)
+        throw bad_input("face " + std::to_string(i) + " of '" + m_mesh_path + "' belongs to no surface of '"
+                        + m_features_path + "'; do the two files belong together?");
     std::replace(patches.begin(), patches.end(), none, std::uint32_t(0)); // these have no points
   }
 
   void collect_mesh_edges()
   {
-    for (std::size_t i = 0; i < shape.mesh.triangles.size(); ++i)
+    for (std::size_t i = 0; i < m_shape.mesh.triangles.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k)
       {
-        const std::uint32_t a = shape.mesh.triangles[i][k], b = shape.mesh.triangles[i][(k + 1) % 3];
-        mesh_edges.push_back({(std::min)(a, b), (std::max)(a, b), shape.mesh.patches[i]});
+        const std::uint32_t a = m_shape.mesh.triangles[i][k], b = m_shape.mesh.triangles[i][(k + 1) % 3];
+        m_mesh_edges.push_back({(std::min)(a, b), (std::max)(a, b), m_shape.mesh.patches[i]});
       }
-    std::sort(mesh_edges.begin(), mesh_edges.end());
-    std::vector<std::set<std::size_t>> neighbors(features.surfaces.size());
-    for (std::size_t i = 0, j = 0; i < mesh_edges.size(); i = j)
-      for (j = i; j < mesh_edges.size() && is_same(mesh_edges[i], mesh_edges[j]); ++j)
+    std::sort(m_mesh_edges.begin(), m_mesh_edges.end());
+    std::vector<std::set<std::size_t>> neighbors(m_features.surfaces.size());
+    for (std::size_t i = 0, j = 0; i < m_mesh_edges.size(); i = j)
+      for (j = i; j < m_mesh_edges.size() && is_same(m_mesh_edges[i], m_mesh_edges[j]); ++j)
         for (std::size_t k = i; k < j; ++k)
-          if (mesh_edges[k].patch != mesh_edges[j].patch)
+          if (m_mesh_edges[k].patch != m_mesh_edges[j].patch)
           {
-            neighbors[mesh_edges[k].patch].insert(mesh_edges[j].patch);
-            neighbors[mesh_edges[j].patch].insert(mesh_edges[k].patch);
+            neighbors[m_mesh_edges[k].patch].insert(m_mesh_edges[j].patch);
+            neighbors[m_mesh_edges[j].patch].insert(m_mesh_edges[k].patch);
           }
     for (const std::set<std::size_t>& list : neighbors)
-      shape.adjacent_patches.emplace_back(list.begin(), list.end());
+      m_shape.adjacent_patches.emplace_back(list.begin(), list.end());
   }
 
   static bool is_same(const Mesh_edge& a, const Mesh_edge& b) { return a.low == b.low && a.high == b.high; }
@@ -121,19 +121,19 @@ private:
   void select_curves()
   {
     std::set<std::vector<std::uint32_t>> known;
-    for (std::size_t i = 0; i < features.curves.size(); ++i)
+    for (std::size_t i = 0; i < m_features.curves.size(); ++i)
     {
-      Abc_curve& curve = features.curves[i];
+      Abc_curve& curve = m_features.curves[i];
       if (!curve.is_sharp)
         continue;
       for (std::uint32_t v : curve.vertices)
-        if (v >= shape.mesh.points.size())
+        if (v >= m_shape.mesh.points.size())
           fail(curve.line,
-               "curve " + std::to_string(i) + " has the vertex " + std::to_string(v) + ", but '" + mesh_path + "' has "
-                 + std::to_string(shape.mesh.points.size())
+               "curve " + std::to_string(i) + " has the vertex " + std::to_string(v) + ", but '" + m_mesh_path
+                 + "' has " + std::to_string(m_shape.mesh.points.size())
                  + " vertices, counted from 0; do the two files belong together?");
       const auto is_at_same_place = [this](std::uint32_t a, std::uint32_t b) {
-        return a == b || shape.mesh.points[a] == shape.mesh.points[b];
+        return a == b || m_shape.mesh.points[a] == m_shape.mesh.points[b];
       };
       curve.vertices.erase(std::unique(curve.vertices.begin(), curve.vertices.end(), is_at_same_place),
                            curve.vertices.end());
@@ -141,7 +141,7 @@ private:
         continue;
       const std::vector<std::uint32_t> reversed(curve.vertices.rbegin(), curve.vertices.rend());
       if (known.insert((std::min)(curve.vertices, reversed)).second)
-        selected.push_back(&curve);
+        m_selected.push_back(&curve);
     }
   }
 
@@ -149,14 +149,14 @@ private:
   {
     double sum = 0;
     for (std::size_t i = 1; i < curve.vertices.size(); ++i)
-      sum += distance(shape.mesh.points[curve.vertices[i - 1]], shape.mesh.points[curve.vertices[i]]);
+      sum += distance(m_shape.mesh.points[curve.vertices[i - 1]], m_shape.mesh.points[curve.vertices[i]]);
     return sum;
   }
 
   void add_curves()
   {
-    std::vector<std::set<std::size_t>> curves_of_patches(features.surfaces.size());
-    for (const Abc_curve* from : selected)
+    std::vector<std::set<std::size_t>> curves_of_patches(m_features.surfaces.size());
+    for (const Abc_curve* from : m_selected)
     {
       Curve curve;
       curve.source = vertex(from->vertices.front());
@@ -164,23 +164,23 @@ private:
       curve.kind = kind_of(from->type, curve.source == curve.target);
       std::vector<Point> points;
       for (std::uint32_t v : from->vertices)
-        points.push_back(shape.mesh.points[v]);
+        points.push_back(m_shape.mesh.points[v]);
       curve.set_polyline(points);
       for (std::size_t i = 1; i < from->vertices.size(); ++i)
         for (std::uint32_t patch : patches_at(*from, from->vertices[i - 1], from->vertices[i]))
-          curves_of_patches[patch].insert(shape.edges.curves.size());
-      shape.edges.curves.push_back(curve);
+          curves_of_patches[patch].insert(m_shape.edges.curves.size());
+      m_shape.edges.curves.push_back(curve);
     }
     for (const std::set<std::size_t>& list : curves_of_patches)
-      shape.curves_of_patches.emplace_back(list.begin(), list.end());
-    settle_loops(shape.edges);
+      m_shape.curves_of_patches.emplace_back(list.begin(), list.end());
+    settle_loops(m_shape.edges);
   }
 
   std::size_t vertex(std::uint32_t of_mesh)
   {
-    const auto found = vertices.emplace(of_mesh, shape.edges.vertices.size());
+    const auto found = m_vertices.emplace(of_mesh, m_shape.edges.vertices.size());
     if (found.second)
-      shape.edges.vertices.push_back(shape.mesh.points[of_mesh]);
+      m_shape.edges.vertices.push_back(m_shape.mesh.points[of_mesh]);
     return found.first->second;
   }
 
@@ -200,28 +200,28 @@ private:
   {
     std::vector<std::uint32_t> result;
     const Mesh_edge edge = {(std::min)(a, b), (std::max)(a, b), 0};
-    for (auto i = std::lower_bound(mesh_edges.begin(), mesh_edges.end(), edge);
-         i != mesh_edges.end() && is_same(*i, edge); ++i)
+    for (auto i = std::lower_bound(m_mesh_edges.begin(), m_mesh_edges.end(), edge);
+         i != m_mesh_edges.end() && is_same(*i, edge); ++i)
       result.push_back(i->patch);
     if (result.empty())
       fail(curve.line,
-           "curve " + std::to_string(&curve - features.curves.data()) + " goes from vertex " + std::to_string(a)
-             + " to vertex " + std::to_string(b) + " (counted from 0), which no edge of '" + mesh_path
+           "curve " + std::to_string(&curve - m_features.curves.data()) + " goes from vertex " + std::to_string(a)
+             + " to vertex " + std::to_string(b) + " (counted from 0), which no edge of '" + m_mesh_path
              + "' joins; do the two files belong together?");
     return result;
   }
 
   [[noreturn]] void fail(std::size_t line, const std::string& text) const
   {
-    throw bad_input(features_path, line, text);
+    throw bad_input(m_features_path, line, text);
   }
 
-  std::string mesh_path, features_path;
-  Abc_features features;
-  Annotated_shape shape;
-  std::vector<const Abc_curve*> selected;        ///< the sharp curves
-  std::vector<Mesh_edge> mesh_edges;             ///< sorted
-  std::map<std::uint32_t, std::size_t> vertices; ///< from those of the mesh
+  std::string m_mesh_path, m_features_path;
+  Abc_features m_features;
+  Annotated_shape m_shape;
+  std::vector<const Abc_curve*> m_selected;        ///< the sharp curves
+  std::vector<Mesh_edge> m_mesh_edges;             ///< sorted
+  std::map<std::uint32_t, std::size_t> m_vertices; ///< from those of the mesh
 };
 
 } // namespace internal

@@ -43,15 +43,15 @@ namespace internal {
 class Obj_reader
 {
 public:
-  explicit Obj_reader(const std::string& m_path) : path(m_path), text(read_file(m_path)) {}
+  explicit Obj_reader(const std::string& path) : m_path(path), m_text(read_file(m_path)) {}
 
   Labelled_mesh mesh()
   {
     Labelled_mesh result;
     std::vector<std::size_t> lines; // of the triangles
-    const char* p = text.c_str();
-    const char* const end = p + text.size();
-    for (line = 1; p < end; ++line)
+    const char* p = m_text.c_str();
+    const char* const end = p + m_text.size();
+    for (m_line = 1; p < end; ++m_line)
     {
       const char* next = p;
       while (next < end && *next != '\n')
@@ -62,18 +62,18 @@ public:
       else if (p[0] == 'f' && is_blank(p[1]))
       {
         result.triangles.push_back(triangle(p + 1, result.points.size()));
-        lines.push_back(line);
+        lines.push_back(m_line);
       }
       p = next + 1;
     }
     for (std::size_t i = 0; i < result.triangles.size(); ++i)
       for (std::uint32_t v : result.triangles[i])
         if (v >= result.points.size())
-          throw bad_input(path, lines[i],
+          throw bad_input(m_path, lines[i],
                           "vertex " + std::to_string(v + 1) + " does not exist; there are "
                             + std::to_string(result.points.size()));
     if (result.triangles.empty())
-      throw bad_input("'" + path + "' has no faces; is it a mesh in OBJ format?");
+      throw bad_input("'" + m_path + "' has no faces; is it a mesh in OBJ format?");
     return result;
   }
 
@@ -96,7 +96,7 @@ private:
       char* end = nullptr;
       x = is_end(*p) ? 0. : std::strtod(p, &end);
       if (end == p || end == nullptr || !std::isfinite(x) || !(is_blank(*end) || is_end(*end)))
-        throw bad_input(path, line, "a vertex needs three finite numbers");
+        throw bad_input(m_path, m_line, "a vertex needs three finite numbers");
       p = end;
     }
     return result;
@@ -111,26 +111,26 @@ private:
       char* end = nullptr;
       long long index = std::strtoll(p, &end, 10);
       if (end == p || !(is_blank(*end) || is_end(*end) || *end == '/'))
-        throw bad_input(path, line, "a face needs the numbers of its vertices");
+        throw bad_input(m_path, m_line, "a face needs the numbers of its vertices");
       if (index < 0)
         index += static_cast<long long>(vertices) + 1;
       if (index < 1 || index > 0xffffffffll)
-        throw bad_input(path, line, "a face names a vertex that cannot exist; the first has the number 1");
+        throw bad_input(m_path, m_line, "a face names a vertex that cannot exist; the first has the number 1");
       if (n < 3)
         result[n] = static_cast<std::uint32_t>(index - 1);
       for (p = end; !is_blank(*p) && !is_end(*p);)
         ++p;
     }
     if (n != 3)
-      throw bad_input(path, line,
+      throw bad_input(m_path, m_line,
                       "the face has " + std::to_string(n)
                         + " vertices; triangulate the mesh, "
                           "without changing the order of its faces");
     return result;
   }
 
-  std::string path, text;
-  std::size_t line = 0;
+  std::string m_path, m_text;
+  std::size_t m_line = 0;
 };
 
 } // namespace internal

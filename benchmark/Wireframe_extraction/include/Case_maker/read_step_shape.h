@@ -100,38 +100,38 @@ struct Step_surfaces
 class Step_shape_builder
 {
 public:
-  Step_shape_builder(const TopoDS_Shape& m_part, const std::string& m_path, const Step_options& m_options)
-    : part(m_part), path(m_path), options(m_options)
+  Step_shape_builder(const TopoDS_Shape& part, const std::string& path, const Step_options& options)
+    : m_part(part), m_path(path), m_options(options)
   {}
 
   Annotated_shape build(const Scale_rule& rule)
   {
-    TopExp::MapShapes(part, TopAbs_FACE, faces);
-    TopExp::MapShapesAndUniqueAncestors(part, TopAbs_EDGE, TopAbs_FACE, faces_of_edges);
-    if (faces.IsEmpty())
-      throw bad_input("'" + path + "' has no faces");
+    TopExp::MapShapes(m_part, TopAbs_FACE, m_faces);
+    TopExp::MapShapesAndUniqueAncestors(m_part, TopAbs_EDGE, TopAbs_FACE, m_faces_of_edges);
+    if (m_faces.IsEmpty())
+      throw bad_input("'" + m_path + "' has no faces");
     select_edges();
     std::vector<double> lengths;
-    for (const TopoDS_Edge& edge : sharp_edges)
+    for (const TopoDS_Edge& edge : m_sharp_edges)
       lengths.push_back(GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(edge)));
-    scale = choose_scale(lengths, area(), rule, shape.remarks);
+    m_scale = choose_scale(lengths, area(), rule, m_shape.remarks);
     add_curves(rule.sampling_distance);
     add_mesh(rule.sampling_distance);
-    return std::move(shape);
+    return std::move(m_shape);
   }
 
 private:
-  std::size_t patch_of(const TopoDS_Shape& face) const { return static_cast<std::size_t>(faces.FindIndex(face)) - 1; }
+  std::size_t patch_of(const TopoDS_Shape& face) const { return static_cast<std::size_t>(m_faces.FindIndex(face)) - 1; }
 
   /// finds the sharp edges, and which faces are adjacent.
   void select_edges()
   {
-    std::vector<std::set<std::size_t>> neighbors(static_cast<std::size_t>(faces.Extent()));
-    for (int i = 1; i <= faces_of_edges.Extent(); ++i)
+    std::vector<std::set<std::size_t>> neighbors(static_cast<std::size_t>(m_faces.Extent()));
+    for (int i = 1; i <= m_faces_of_edges.Extent(); ++i)
     {
-      const TopoDS_Edge edge = TopoDS::Edge(faces_of_edges.FindKey(i).Oriented(TopAbs_FORWARD));
+      const TopoDS_Edge edge = TopoDS::Edge(m_faces_of_edges.FindKey(i).Oriented(TopAbs_FORWARD));
       std::vector<TopoDS_Face> around;
-      for (const TopoDS_Shape& face : faces_of_edges.FindFromIndex(i))
+      for (const TopoDS_Shape& face : m_faces_of_edges.FindFromIndex(i))
         around.push_back(TopoDS::Face(face));
       if (around.empty() || BRep_Tool::Degenerated(edge))
         continue;
@@ -142,14 +142,14 @@ private:
       const bool is_seam = around.size() == 1 && BRep_Tool::IsClosed(edge, around[0]);
       if (!is_seam && (around.size() != 2 || is_sharp(edge, around[0], around[1])))
       {
-        sharp_edges.push_back(edge);
-        patches_of_edges.emplace_back();
+        m_sharp_edges.push_back(edge);
+        m_patches_of_edges.emplace_back();
         for (const TopoDS_Face& face : around)
-          patches_of_edges.back().push_back(patch_of(face));
+          m_patches_of_edges.back().push_back(patch_of(face));
       }
     }
     for (const std::set<std::size_t>& list : neighbors)
-      shape.adjacent_patches.emplace_back(list.begin(), list.end());
+      m_shape.adjacent_patches.emplace_back(list.begin(), list.end());
   }
 
   /// tells whether the normals differ by more than the angle along most of the edge.
@@ -157,7 +157,7 @@ private:
   {
     // in faces that are oriented alike an edge has opposite orientations
     const double sign = orientation_in(a, edge) == orientation_in(b, edge) ? -1. : 1.;
-    const double bound = std::cos(options.sharp_angle * pi / 180.);
+    const double bound = std::cos(m_options.sharp_angle * pi / 180.);
     double first, last;
     BRep_Tool::Range(edge, first, last);
     const int samples = 9;
@@ -214,28 +214,28 @@ private:
   double area() const
   {
     double sum = 0;
-    for (int i = 1; i <= faces.Extent(); ++i)
+    for (int i = 1; i <= m_faces.Extent(); ++i)
     {
       GProp_GProps properties;
-      BRepGProp::SurfaceProperties(faces(i), properties);
+      BRepGProp::SurfaceProperties(m_faces(i), properties);
       sum += std::abs(properties.Mass());
     }
     return sum;
   }
 
-  Point scaled(const gp_Pnt& p) const { return scale * Point{{p.X(), p.Y(), p.Z()}}; }
+  Point scaled(const gp_Pnt& p) const { return m_scale * Point{{p.X(), p.Y(), p.Z()}}; }
 
   void add_curves(double sampling_distance)
   {
     TopTools_IndexedMapOfShape vertices;
-    shape.curves_of_patches.resize(static_cast<std::size_t>(faces.Extent()));
-    for (std::size_t i = 0; i < sharp_edges.size(); ++i)
+    m_shape.curves_of_patches.resize(static_cast<std::size_t>(m_faces.Extent()));
+    for (std::size_t i = 0; i < m_sharp_edges.size(); ++i)
     {
-      const BRepAdaptor_Curve adaptor(sharp_edges[i]);
+      const BRepAdaptor_Curve adaptor(m_sharp_edges[i]);
       const double first = adaptor.FirstParameter(), last = adaptor.LastParameter();
       Curve curve;
-      curve.source = vertex(vertices, TopExp::FirstVertex(sharp_edges[i]), adaptor.Value(first));
-      curve.target = vertex(vertices, TopExp::LastVertex(sharp_edges[i]), adaptor.Value(last));
+      curve.source = vertex(vertices, TopExp::FirstVertex(m_sharp_edges[i]), adaptor.Value(first));
+      curve.target = vertex(vertices, TopExp::LastVertex(m_sharp_edges[i]), adaptor.Value(last));
       const bool is_loop = curve.source == curve.target;
       switch (adaptor.GetType())
       {
@@ -254,11 +254,11 @@ private:
         break;
       default: curve.kind = Curve_kind::SPLINE; set_polyline(adaptor, 0.1 * sampling_distance, curve);
       }
-      for (std::size_t patch : patches_of_edges[i])
-        shape.curves_of_patches[patch].push_back(i);
-      shape.edges.curves.push_back(curve);
+      for (std::size_t patch : m_patches_of_edges[i])
+        m_shape.curves_of_patches[patch].push_back(i);
+      m_shape.edges.curves.push_back(curve);
     }
-    settle_loops(shape.edges);
+    settle_loops(m_shape.edges);
   }
 
   std::size_t vertex(TopTools_IndexedMapOfShape& vertices, const TopoDS_Vertex& v, const gp_Pnt& p)
@@ -266,7 +266,7 @@ private:
     const int known = vertices.Extent();
     const int index = vertices.Add(v); // a curve without vertices has the null vertex: it is a loop
     if (vertices.Extent() > known)
-      shape.edges.vertices.push_back(scaled(v.IsNull() ? p : BRep_Tool::Pnt(v)));
+      m_shape.edges.vertices.push_back(scaled(v.IsNull() ? p : BRep_Tool::Pnt(v)));
     return static_cast<std::size_t>(index) - 1;
   }
 
@@ -278,7 +278,7 @@ private:
     curve.frame.x = std::cos(first) * p + std::sin(first) * q;
     curve.frame.y = std::cos(first) * q - std::sin(first) * p;
     curve.frame.z = cross(p, q);
-    curve.radius = scale * circle.Radius();
+    curve.radius = m_scale * circle.Radius();
     curve.sweep = last - first;
   }
 
@@ -294,30 +294,30 @@ private:
     std::vector<Point> points = exact.sampled(step);
     points.erase(std::unique(points.begin(), points.end()), points.end());
     if (points.size() < 2)
-      points = {shape.edges.vertices[curve.source], exact.at(0.5), shape.edges.vertices[curve.target]};
+      points = {m_shape.edges.vertices[curve.source], exact.at(0.5), m_shape.edges.vertices[curve.target]};
     curve.set_polyline(points);
   }
 
   void add_mesh(double sampling_distance)
   {
     const double deflection = 0.02 * sampling_distance;
-    BRepMesh_IncrementalMesh(part, deflection / scale, false, 0.3, false);
+    BRepMesh_IncrementalMesh(m_part, deflection / m_scale, false, 0.3, false);
     const auto surfaces = std::make_shared<Step_surfaces>();
-    surfaces->scale = scale;
+    surfaces->scale = m_scale;
     surfaces->largest_move = 5 * deflection;
-    for (int i = 1; i <= faces.Extent(); ++i)
+    for (int i = 1; i <= m_faces.Extent(); ++i)
     {
-      const TopoDS_Face& face = TopoDS::Face(faces(i));
+      const TopoDS_Face& face = TopoDS::Face(m_faces(i));
       TopLoc_Location location;
       const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(face, location);
       if (triangulation.IsNull() || triangulation->NbTriangles() == 0)
-        throw bad_input("face " + std::to_string(i) + " of '" + path
+        throw bad_input("face " + std::to_string(i) + " of '" + m_path
                         + "' cannot be triangulated; repair the "
                           "part in a CAD program");
-      const std::uint32_t first = static_cast<std::uint32_t>(shape.mesh.points.size());
+      const std::uint32_t first = static_cast<std::uint32_t>(m_shape.mesh.points.size());
       for (int k = 1; k <= triangulation->NbNodes(); ++k)
       {
-        shape.mesh.points.push_back(scaled(triangulation->Node(k).Transformed(location.Transformation())));
+        m_shape.mesh.points.push_back(scaled(triangulation->Node(k).Transformed(location.Transformation())));
         const gp_Pnt2d uv = triangulation->HasUVNodes() ? triangulation->UVNode(k) : gp_Pnt2d(NAN, NAN);
         surfaces->parameters.push_back({{uv.X(), uv.Y()}});
       }
@@ -325,27 +325,27 @@ private:
       {
         int a, b, c;
         triangulation->Triangle(k).Get(a, b, c);
-        shape.mesh.triangles.push_back(
+        m_shape.mesh.triangles.push_back(
           {{first + static_cast<std::uint32_t>(a - 1), first + static_cast<std::uint32_t>(b - 1),
             first + static_cast<std::uint32_t>(c - 1)}});
-        shape.mesh.patches.push_back(static_cast<std::uint32_t>(i - 1));
+        m_shape.mesh.patches.push_back(static_cast<std::uint32_t>(i - 1));
       }
       surfaces->surfaces.emplace_back(BRep_Tool::Surface(face));
     }
-    shape.move_to_surface = [surfaces](const Labelled_mesh& mesh, std::size_t triangle, const Point& p) {
+    m_shape.move_to_surface = [surfaces](const Labelled_mesh& mesh, std::size_t triangle, const Point& p) {
       return surfaces->moved(mesh, triangle, p);
     };
   }
 
-  TopoDS_Shape part;
-  std::string path;
-  Step_options options;
-  double scale = 1;
-  Annotated_shape shape;
-  TopTools_IndexedMapOfShape faces;
-  TopTools_IndexedDataMapOfShapeListOfShape faces_of_edges;
-  std::vector<TopoDS_Edge> sharp_edges;
-  std::vector<std::vector<std::size_t>> patches_of_edges; ///< per sharp edge
+  TopoDS_Shape m_part;
+  std::string m_path;
+  Step_options m_options;
+  double m_scale = 1;
+  Annotated_shape m_shape;
+  TopTools_IndexedMapOfShape m_faces;
+  TopTools_IndexedDataMapOfShapeListOfShape m_faces_of_edges;
+  std::vector<TopoDS_Edge> m_sharp_edges;
+  std::vector<std::vector<std::size_t>> m_patches_of_edges; ///< per sharp edge
 };
 
 inline TopoDS_Shape read_step_part(const std::string& path, const Step_options& options)

@@ -27,19 +27,19 @@ namespace Sample_solids {
 class Curve_distance
 {
 public:
-  Curve_distance(const std::vector<Curve>& m_curves, const std::vector<std::size_t>& selected) : curves(&m_curves)
+  Curve_distance(const std::vector<Curve>& curves, const std::vector<std::size_t>& selected) : m_curves(&curves)
   {
     for (std::size_t i : selected)
       add_pieces(i);
-    if (!pieces.empty())
-      build(0, pieces.size());
+    if (!m_pieces.empty())
+      build(0, m_pieces.size());
   }
 
   /// returns the distance of `p` to the nearest curve, or `bound` if that is smaller.
   double operator()(const Point& p, double bound) const
   {
     double best = bound;
-    if (!nodes.empty())
+    if (!m_nodes.empty())
       search(0, p, best);
     return best;
   }
@@ -92,13 +92,13 @@ private:
 
   void add_pieces(std::size_t index)
   {
-    const Curve& curve = (*curves)[index];
+    const Curve& curve = (*m_curves)[index];
     for (std::size_t i = 0; i + 1 < curve.polyline.size(); ++i)
     {
       Piece piece = {index, double(i), double(i + 1), Box()};
       piece.box.add(curve.polyline[i], 0);
       piece.box.add(curve.polyline[i + 1], 0);
-      pieces.push_back(piece);
+      m_pieces.push_back(piece);
     }
     if (!curve.polyline.empty())
       return;
@@ -117,54 +117,54 @@ private:
         // between samples the curve leaves their box by less than a small part of the chord
         piece.box.add(curve.at(t), curve.kind == Curve_kind::LINE ? 0. : 0.05 * chord);
       }
-      pieces.push_back(piece);
+      m_pieces.push_back(piece);
     }
   }
 
   std::size_t build(std::size_t begin, std::size_t end)
   {
-    const std::size_t index = nodes.size();
-    nodes.push_back(Node());
+    const std::size_t index = m_nodes.size();
+    m_nodes.push_back(Node());
     Box box, centers;
     for (std::size_t i = begin; i < end; ++i)
     {
-      box.add(pieces[i].box);
-      centers.add(0.5 * (pieces[i].box.low + pieces[i].box.high), 0);
+      box.add(m_pieces[i].box);
+      centers.add(0.5 * (m_pieces[i].box.low + m_pieces[i].box.high), 0);
     }
-    nodes[index].box = box;
+    m_nodes[index].box = box;
     if (end - begin <= 2)
     {
-      nodes[index].begin = begin;
-      nodes[index].end = end;
+      m_nodes[index].begin = begin;
+      m_nodes[index].end = end;
       return index;
     }
     const Point size = centers.high - centers.low;
     const auto longest = std::max_element(size.begin(), size.end());
     const std::size_t axis = static_cast<std::size_t>(longest - size.begin());
     const std::size_t middle = (begin + end) / 2;
-    const auto at = [this](std::size_t i) { return pieces.begin() + static_cast<std::ptrdiff_t>(i); };
+    const auto at = [this](std::size_t i) { return m_pieces.begin() + static_cast<std::ptrdiff_t>(i); };
     std::nth_element(at(begin), at(middle), at(end), [axis](const Piece& a, const Piece& b) {
       return a.box.low[axis] + a.box.high[axis] < b.box.low[axis] + b.box.high[axis];
     });
     const std::size_t left = build(begin, middle);
     const std::size_t right = build(middle, end);
-    nodes[index].left = left;
-    nodes[index].right = right;
+    m_nodes[index].left = left;
+    m_nodes[index].right = right;
     return index;
   }
 
   void search(std::size_t index, const Point& p, double& best) const
   {
-    const Node& node = nodes[index];
+    const Node& node = m_nodes[index];
     if (node.left == 0)
     {
       for (std::size_t i = node.begin; i < node.end; ++i)
-        if (pieces[i].box.squared_distance_to(p) < best * best)
-          best = (std::min)(best, distance_to_piece(pieces[i], p));
+        if (m_pieces[i].box.squared_distance_to(p) < best * best)
+          best = (std::min)(best, distance_to_piece(m_pieces[i], p));
       return;
     }
-    const double left = nodes[node.left].box.squared_distance_to(p);
-    const double right = nodes[node.right].box.squared_distance_to(p);
+    const double left = m_nodes[node.left].box.squared_distance_to(p);
+    const double right = m_nodes[node.right].box.squared_distance_to(p);
     const bool is_left_first = left <= right;
     if ((std::min)(left, right) < best * best)
       search(is_left_first ? node.left : node.right, p, best);
@@ -174,16 +174,16 @@ private:
 
   double distance_to_piece(const Piece& piece, const Point& p) const
   {
-    const Curve& curve = (*curves)[piece.curve];
+    const Curve& curve = (*m_curves)[piece.curve];
     if (!curve.polyline.empty())
       return curve.distance_to_segment(p, static_cast<std::size_t>(piece.low));
     return curve.has_closed_form_distance() ? curve.closed_form_distance(p)
                                             : curve.local_distance(p, piece.low, piece.high);
   }
 
-  const std::vector<Curve>* curves;
-  std::vector<Piece> pieces;
-  std::vector<Node> nodes;
+  const std::vector<Curve>* m_curves;
+  std::vector<Piece> m_pieces;
+  std::vector<Node> m_nodes;
 };
 
 } // namespace Sample_solids

@@ -44,35 +44,35 @@ namespace internal {
 class Chains
 {
 public:
-  Chains(const Solid& m_solid, double m_step)
-    : solid(m_solid), step(m_step), incident(m_solid.vertices.size()), is_used(m_solid.curves.size(), false)
+  Chains(const Solid& solid, double step)
+    : m_solid(solid), m_step(step), m_incident(m_solid.vertices.size()), m_is_used(m_solid.curves.size(), false)
   {
-    for (std::size_t edge : solid.sharp_curves())
-      if (!solid.curves[edge].is_closed)
+    for (std::size_t edge : m_solid.sharp_curves())
+      if (!m_solid.curves[edge].is_closed)
       {
-        incident[solid.curves[edge].source].push_back(edge);
-        incident[solid.curves[edge].target].push_back(edge);
+        m_incident[m_solid.curves[edge].source].push_back(edge);
+        m_incident[m_solid.curves[edge].target].push_back(edge);
       }
   }
 
   Ground_truth ground_truth()
   {
     Ground_truth result;
-    for (std::size_t vertex = 0; vertex < solid.vertices.size(); ++vertex)
-      if (!incident[vertex].empty() && !is_passed(vertex))
+    for (std::size_t vertex = 0; vertex < m_solid.vertices.size(); ++vertex)
+      if (!m_incident[vertex].empty() && !is_passed(vertex))
       {
-        result.corners.push_back(solid.vertices[vertex]);
-        for (std::size_t edge : incident[vertex])
-          if (!is_used[edge])
+        result.corners.push_back(m_solid.vertices[vertex]);
+        for (std::size_t edge : m_incident[vertex])
+          if (!m_is_used[edge])
             result.curves.push_back(chain_from(vertex, edge));
       }
-    for (std::size_t edge : solid.sharp_curves())
+    for (std::size_t edge : m_solid.sharp_curves())
     {
       const True_curve segment = segment_of(edge);
       result.segments.push_back(segment);
-      if (is_used[edge])
+      if (m_is_used[edge])
         continue;
-      const Curve& curve = solid.curves[edge];
+      const Curve& curve = m_solid.curves[edge];
       result.curves.push_back(curve.is_closed ? segment : chain_from(curve.source, edge));
     }
     return result;
@@ -81,13 +81,13 @@ public:
 private:
   True_curve segment_of(std::size_t edge) const
   {
-    const Curve& curve = solid.curves[edge];
-    True_curve segment = {curve.kind, curve.is_closed, curve.length(), curve.sampled(step)};
+    const Curve& curve = m_solid.curves[edge];
+    True_curve segment = {curve.kind, curve.is_closed, curve.length(), curve.sampled(m_step)};
     if (!curve.is_closed)
     {
       // the curves of a vertex end there to the last digit
-      segment.points.front() = solid.vertices[curve.source];
-      segment.points.back() = solid.vertices[curve.target];
+      segment.points.front() = m_solid.vertices[curve.source];
+      segment.points.back() = m_solid.vertices[curve.target];
     }
     return segment;
   }
@@ -95,13 +95,13 @@ private:
   /// the direction in which an edge leaves a vertex
   Point leaving(std::size_t edge, std::size_t vertex) const
   {
-    const Curve& curve = solid.curves[edge];
+    const Curve& curve = m_solid.curves[edge];
     return curve.source == vertex ? curve.tangent(0) : -1. * curve.tangent(1);
   }
 
   bool is_passed(std::size_t vertex) const
   {
-    const std::vector<std::size_t>& edges = incident[vertex];
+    const std::vector<std::size_t>& edges = m_incident[vertex];
     return edges.size() == 2 && edges[0] != edges[1]
       && dot(leaving(edges[0], vertex), leaving(edges[1], vertex)) < -std::cos(20. * pi / 180.);
   }
@@ -113,13 +113,13 @@ private:
     std::size_t count = 0;
     while (true)
     {
-      is_used[edge] = true;
+      m_is_used[edge] = true;
       append(chain, edge, vertex, count++);
       vertex = other_end(edge, vertex);
       if (!is_passed(vertex))
         break;
-      edge = incident[vertex][0] == edge ? incident[vertex][1] : incident[vertex][0];
-      if (is_used[edge])
+      edge = m_incident[vertex][0] == edge ? m_incident[vertex][1] : m_incident[vertex][0];
+      if (m_is_used[edge])
         break;
     }
     chain.is_closed = vertex == first && is_passed(vertex);
@@ -130,24 +130,24 @@ private:
 
   std::size_t other_end(std::size_t edge, std::size_t vertex) const
   {
-    const Curve& curve = solid.curves[edge];
+    const Curve& curve = m_solid.curves[edge];
     return curve.source == vertex ? curve.target : curve.source;
   }
 
   void append(True_curve& chain, std::size_t edge, std::size_t vertex, std::size_t count) const
   {
     True_curve segment = segment_of(edge);
-    if (solid.curves[edge].source != vertex)
+    if (m_solid.curves[edge].source != vertex)
       std::reverse(segment.points.begin(), segment.points.end());
     chain.kind = count == 0 ? segment.kind : Curve_kind::COMPOSITE;
     chain.length += segment.length;
     chain.points.insert(chain.points.end(), segment.points.begin() + (count == 0 ? 0 : 1), segment.points.end());
   }
 
-  const Solid& solid;
-  double step;
-  std::vector<std::vector<std::size_t>> incident;
-  std::vector<bool> is_used;
+  const Solid& m_solid;
+  double m_step;
+  std::vector<std::vector<std::size_t>> m_incident;
+  std::vector<bool> m_is_used;
 };
 
 } // namespace internal

@@ -29,31 +29,31 @@ class Point_grid
 public:
   /// \param cell_size  the side of a cell
   /// \param expected   the number of points to come (it may be exceeded)
-  Point_grid(double cell_size, std::size_t expected) : inverse_cell(1. / cell_size), slots(64)
+  Point_grid(double cell_size, std::size_t expected) : m_inverse_cell(1. / cell_size), m_slots(64)
   {
-    points.reserve(expected);
-    next.reserve(expected);
+    m_points.reserve(expected);
+    m_next.reserve(expected);
   }
 
-  std::size_t size() const { return points.size(); }
-  const std::vector<Point>& get_points() const { return points; }
+  std::size_t size() const { return m_points.size(); }
+  const std::vector<Point>& get_points() const { return m_points; }
 
   void add(const Point& p)
   {
-    if (2 * blocks.size() >= slots.size())
+    if (2 * m_blocks.size() >= m_slots.size())
       grow();
     const std::int64_t i = coordinate(p[0]), j = coordinate(p[1]), k = coordinate(p[2]);
-    Slot& slot = slots[find(key(i, j, k), slots)];
+    Slot& slot = m_slots[find(key(i, j, k), m_slots)];
     if (slot.block == none)
     {
-      slot = {key(i, j, k), static_cast<std::uint32_t>(blocks.size())};
-      blocks.emplace_back();
-      blocks.back().fill(none);
+      slot = {key(i, j, k), static_cast<std::uint32_t>(m_blocks.size())};
+      m_blocks.emplace_back();
+      m_blocks.back().fill(none);
     }
-    std::uint32_t& head = blocks[slot.block][cell_in_block(i, j, k)];
-    next.push_back(head);
-    head = static_cast<std::uint32_t>(points.size());
-    points.push_back(p);
+    std::uint32_t& head = m_blocks[slot.block][cell_in_block(i, j, k)];
+    m_next.push_back(head);
+    head = static_cast<std::uint32_t>(m_points.size());
+    m_points.push_back(p);
   }
 
   /// calls `visit(index, squared distance)` for all points nearer to `p` than `radius`, until that returns
@@ -75,9 +75,9 @@ public:
         {
           const std::uint64_t now = key(i, j, k);
           if (now != last)
-            block = slots[find(now, slots)].block;
+            block = m_slots[find(now, m_slots)].block;
           last = now;
-          if (block != none && !visit_cell(blocks[block][cell_in_block(i, j, k)], p, radius, visit))
+          if (block != none && !visit_cell(m_blocks[block][cell_in_block(i, j, k)], p, radius, visit))
             return false;
         }
     return true;
@@ -100,16 +100,16 @@ private:
   template <class Visitor>
   bool visit_cell(std::uint32_t head, const Point& p, double radius, Visitor& visit) const
   {
-    for (std::uint32_t n = head; n != none; n = next[n])
+    for (std::uint32_t n = head; n != none; n = m_next[n])
     {
-      const double d = squared_distance(points[n], p);
+      const double d = squared_distance(m_points[n], p);
       if (d < radius * radius && !visit(n, d))
         return false;
     }
     return true;
   }
 
-  std::int64_t coordinate(double x) const { return static_cast<std::int64_t>(std::floor(x * inverse_cell)); }
+  std::int64_t coordinate(double x) const { return static_cast<std::int64_t>(std::floor(x * m_inverse_cell)); }
 
   /// the key of the block of a cell
   static std::uint64_t key(std::int64_t i, std::int64_t j, std::int64_t k)
@@ -135,18 +135,18 @@ private:
 
   void grow()
   {
-    std::vector<Slot> larger(2 * slots.size());
-    for (const Slot& slot : slots)
+    std::vector<Slot> larger(2 * m_slots.size());
+    for (const Slot& slot : m_slots)
       if (slot.block != none)
         larger[find(slot.key, larger)] = slot;
-    slots.swap(larger);
+    m_slots.swap(larger);
   }
 
-  double inverse_cell;
-  std::vector<Slot> slots;
-  std::vector<std::array<std::uint32_t, 64>> blocks; ///< per cell its last point
-  std::vector<Point> points;
-  std::vector<std::uint32_t> next; ///< per point the one before it in its cell
+  double m_inverse_cell;
+  std::vector<Slot> m_slots;
+  std::vector<std::array<std::uint32_t, 64>> m_blocks; ///< per cell its last point
+  std::vector<Point> m_points;
+  std::vector<std::uint32_t> m_next; ///< per point the one before it in its cell
 };
 
 } // namespace Sample_solids

@@ -57,25 +57,25 @@ class Poisson_sampler
 public:
   typedef typename Tiling::Tile Tile;
 
-  Poisson_sampler(Tiling& m_tiling, double sampling_distance, std::size_t n, Random& m_random, Cloud& m_cloud)
-    : tiling(m_tiling), smallest(0.9 * sampling_distance), largest(sampling_distance), wanted(n), random(m_random),
-      cloud(m_cloud), grid(2 * largest, n), tiles(tiling.tiles(smallest))
+  Poisson_sampler(Tiling& tiling, double sampling_distance, std::size_t n, Random& random, Cloud& cloud)
+    : m_tiling(tiling), m_smallest(0.9 * sampling_distance), m_largest(sampling_distance), m_wanted(n),
+      m_random(random), m_cloud(cloud), m_grid(2 * m_largest, n), m_tiles(m_tiling.tiles(m_smallest))
   {
-    cloud.faces.reserve(wanted);
+    m_cloud.faces.reserve(m_wanted);
   }
 
   void run()
   {
     const int rounds = 12, rounds_per_level = 4, deepest = 12;
-    for (int round = 0; grid.size() < wanted && !tiles.empty() && level <= deepest; ++round)
+    for (int round = 0; m_grid.size() < m_wanted && !m_tiles.empty() && m_level <= deepest; ++round)
     {
-      disk_radius = (std::max)(smallest, largest - (largest - smallest) * round / rounds);
+      m_disk_radius = (std::max)(m_smallest, m_largest - (m_largest - m_smallest) * round / rounds);
       sweep();
       const bool is_quartered = round >= rounds || round % rounds_per_level == rounds_per_level - 1;
-      if (grid.size() < wanted && is_quartered)
+      if (m_grid.size() < m_wanted && is_quartered)
         refine();
     }
-    cloud.points = grid.get_points();
+    m_cloud.points = m_grid.get_points();
   }
 
 private:
@@ -84,49 +84,51 @@ private:
   void sweep()
   {
     for (int k = 0; k < 8; ++k)
-      for (std::size_t i = random.index(15); i < tiles.size() && grid.size() < wanted; i += 1 + random.index(15))
-        throw_dart(tiles[i]);
+      for (std::size_t i = m_random.index(15); i < m_tiles.size() && m_grid.size() < m_wanted;
+           i += 1 + m_random.index(15))
+        throw_dart(m_tiles[i]);
   }
 
   void throw_dart(const Tile& tile)
   {
     Point p;
-    if (!tiling.throw_dart(tile, random, p) || grid.has_point_within(p, disk_radius) || !tiling.is_on_surface(tile, p))
+    if (!m_tiling.throw_dart(tile, m_random, p) || m_grid.has_point_within(p, m_disk_radius)
+        || !m_tiling.is_on_surface(tile, p))
       return;
-    grid.add(p);
-    cloud.faces.push_back(tiling.face(tile));
+    m_grid.add(p);
+    m_cloud.faces.push_back(m_tiling.face(tile));
   }
 
   bool is_full(const Tile& tile) const
   {
-    const double radius = smallest - tiling.extent(tile);
-    return radius > 0 && grid.has_point_within(tiling.center(tile), radius);
+    const double radius = m_smallest - m_tiling.extent(tile);
+    return radius > 0 && m_grid.has_point_within(m_tiling.center(tile), radius);
   }
 
   void refine()
   {
-    ++level;
-    tiling.halve();
+    ++m_level;
+    m_tiling.halve();
     std::vector<Tile> finer;
-    for (const Tile& tile : tiles)
+    for (const Tile& tile : m_tiles)
       for (std::uint32_t k = 0; k < 4; ++k)
       {
-        const Tile quarter = tiling.quarter(tile, k);
-        if (!is_full(quarter) && !tiling.is_off_surface(quarter))
+        const Tile quarter = m_tiling.quarter(tile, k);
+        if (!is_full(quarter) && !m_tiling.is_off_surface(quarter))
           finer.push_back(quarter);
       }
-    tiles.swap(finer);
+    m_tiles.swap(finer);
   }
 
-  Tiling& tiling;
-  double smallest, largest; ///< distance of any two points, at the end and at the beginning
-  double disk_radius = 0;   ///< at present
-  std::size_t wanted;
-  Random& random;
-  Cloud& cloud;
-  Point_grid grid;
-  std::vector<Tile> tiles;
-  int level = 0;
+  Tiling& m_tiling;
+  double m_smallest, m_largest; ///< distance of any two points, at the end and at the beginning
+  double m_disk_radius = 0;     ///< at present
+  std::size_t m_wanted;
+  Random& m_random;
+  Cloud& m_cloud;
+  Point_grid m_grid;
+  std::vector<Tile> m_tiles;
+  int m_level = 0;
 };
 
 } // namespace Sample_solids

@@ -118,20 +118,20 @@ inline Loop circle_loop(double x, double y, double radius)
 class Profile
 {
 public:
-  Profile(std::vector<Loop> m_loops) : loops(std::move(m_loops))
+  Profile(std::vector<Loop> loops) : m_loops(std::move(loops))
   {
-    for (const Loop& loop : loops)
+    for (const Loop& loop : m_loops)
       for (const Side& side : loop)
         add_monotone_pieces(side);
   }
 
-  const std::vector<Loop>& get_loops() const { return loops; }
+  const std::vector<Loop>& get_loops() const { return m_loops; }
 
   /// returns the distance to the boundary, positive inside.
   double signed_distance(double x, double y) const
   {
     double least = (std::numeric_limits<double>::max)();
-    for (const Loop& loop : loops)
+    for (const Loop& loop : m_loops)
       for (const Side& side : loop)
         least = (std::min)(least, side.distance_to(x, y));
     return is_inside(x, y) ? least : -least;
@@ -139,9 +139,9 @@ public:
 
   bool is_rectangle() const
   {
-    if (loops.size() != 1 || loops[0].size() != 4)
+    if (m_loops.size() != 1 || m_loops[0].size() != 4)
       return false;
-    for (const Side& side : loops[0])
+    for (const Side& side : m_loops[0])
       if (side.is_arc || (side.from[0] != side.to[0] && side.from[1] != side.to[1]))
         return false;
     return true;
@@ -151,7 +151,7 @@ public:
   std::array<double, 4> box() const
   {
     std::array<double, 4> result = {{1e300, 1e300, -1e300, -1e300}};
-    for (const Piece& piece : pieces)
+    for (const Piece& piece : m_pieces)
     {
       const double x_low = (std::min)(piece.x_0, piece.x_1), x_high = (std::max)(piece.x_0, piece.x_1);
       const double bulge = piece.radius > 0 ? piece.center[0] + piece.sign * piece.radius : x_low;
@@ -178,7 +178,7 @@ private:
   {
     if (a[1] > b[1])
       std::swap(a, b);
-    pieces.push_back({a[0], a[1], b[0], b[1], radius, center, sign});
+    m_pieces.push_back({a[0], a[1], b[0], b[1], radius, center, sign});
   }
 
   void add_monotone_pieces(const Side& side)
@@ -204,7 +204,7 @@ private:
   bool is_inside(double x, double y) const
   {
     bool result = false;
-    for (const Piece& piece : pieces)
+    for (const Piece& piece : m_pieces)
       if (piece.y_0 <= y && y < piece.y_1 && x < crossing(piece, y))
         result = !result;
     return result;
@@ -218,8 +218,8 @@ private:
     return piece.center[0] + piece.sign * std::sqrt((std::max)(0., piece.radius * piece.radius - b * b));
   }
 
-  std::vector<Loop> loops;
-  std::vector<Piece> pieces;
+  std::vector<Loop> m_loops;
+  std::vector<Piece> m_pieces;
 };
 
 /// The faces that `extrude()` made.

@@ -98,7 +98,7 @@ class Smooth_random_function
 public:
   explicit Smooth_random_function(Random& random)
   {
-    for (Wave& wave : waves)
+    for (Wave& wave : m_waves)
     {
       const double z = random.uniform(-1, 1), angle = random.uniform(0, 2 * pi);
       const double number = 2 * pi / random.uniform(8, 20), s = std::sqrt(1 - z * z);
@@ -110,9 +110,9 @@ public:
   double operator()(const Point& p) const
   {
     double sum = 0;
-    for (const Wave& wave : waves)
+    for (const Wave& wave : m_waves)
       sum += std::cos(dot(wave.vector, p) + wave.phase);
-    return sum * std::sqrt(2. / static_cast<double>(waves.size()));
+    return sum * std::sqrt(2. / static_cast<double>(m_waves.size()));
   }
 
 private:
@@ -122,16 +122,16 @@ private:
     double phase;
   };
 
-  std::array<Wave, 8> waves;
+  std::array<Wave, 8> m_waves;
 };
 
 /// Makes the errors of one cloud. All is in sampling distances.
 class Field_disturber
 {
 public:
-  Field_disturber(Cloud& m_cloud, Field_kind kind, Random& m_random)
-    : cloud(m_cloud), level(error_level(kind)), random(m_random), errors(m_cloud.points.size()),
-      patches(m_cloud.points.size(), no_patch)
+  Field_disturber(Cloud& cloud, Field_kind kind, Random& random)
+    : m_cloud(cloud), m_level(error_level(kind)), m_random(random), m_errors(m_cloud.points.size()),
+      m_patches(m_cloud.points.size(), no_patch)
   {}
 
   void run()
@@ -139,16 +139,16 @@ public:
     draw_errors();
     draw_patches();
     // the far field and the wrong patches are what makes up a cloud's share and its mean square
-    growth = solve(0.5, 14, level.share_off, [this](double x) {
-      growth = x;
+    m_growth = solve(0.5, 14, m_level.share_off, [this](double x) {
+      m_growth = x;
       return statistics().share_off;
     });
-    depth = solve(1.5, 12, level.root_mean_square, [this](double x) {
-      depth = x;
+    m_depth = solve(1.5, 12, m_level.root_mean_square, [this](double x) {
+      m_depth = x;
       return statistics().root_mean_square;
     });
-    for (std::size_t i = 0; i < cloud.points.size(); ++i)
-      cloud.distances[i] = cloud.sampling_distance * disturbed(i);
+    for (std::size_t i = 0; i < m_cloud.points.size(); ++i)
+      m_cloud.distances[i] = m_cloud.sampling_distance * disturbed(i);
   }
 
 private:
@@ -163,26 +163,26 @@ private:
     Point direction;  ///< of the spurious edge
   };
 
-  double exact(std::size_t i) const { return cloud.exact_distances[i] / cloud.sampling_distance; }
+  double exact(std::size_t i) const { return m_cloud.exact_distances[i] / m_cloud.sampling_distance; }
 
-  Point position(std::size_t i) const { return (1. / cloud.sampling_distance) * cloud.points[i]; }
+  Point position(std::size_t i) const { return (1. / m_cloud.sampling_distance) * m_cloud.points[i]; }
 
   void draw_errors()
   {
-    const Smooth_random_function bias(random);
-    for (std::size_t i = 0; i < errors.size(); ++i)
+    const Smooth_random_function bias(m_random);
+    for (std::size_t i = 0; i < m_errors.size(); ++i)
     {
-      const double noise = (std::min)(12., (std::max)(-12., random.student_3()));
-      errors[i] = static_cast<float>(level.bias * bias(position(i)) + level.noise * noise);
+      const double noise = (std::min)(12., (std::max)(-12., m_random.student_3()));
+      m_errors[i] = static_cast<float>(m_level.bias * bias(position(i)) + m_level.noise * noise);
     }
   }
 
   void draw_patches()
   {
-    Point_grid grid(4, cloud.points.size());
-    for (std::size_t i = 0; i < cloud.points.size(); ++i)
+    Point_grid grid(4, m_cloud.points.size());
+    for (std::size_t i = 0; i < m_cloud.points.size(); ++i)
       grid.add(position(i));
-    const double wanted = level.wrong_share * static_cast<double>(cloud.points.size());
+    const double wanted = m_level.wrong_share * static_cast<double>(m_cloud.points.size());
     std::size_t missing = static_cast<std::size_t>(wanted);
     for (int i = 0; i < 1000000 && missing > 0; ++i)
       missing -= add_patch(grid, missing);
@@ -191,14 +191,14 @@ private:
   /// adds a ball about a random point: its points that are not yet wrong become so, the nearest at most.
   std::size_t add_patch(const Point_grid& grid, std::size_t most)
   {
-    const std::size_t center = random.index(cloud.points.size());
+    const std::size_t center = m_random.index(m_cloud.points.size());
     Wrong_patch patch;
     patch.center = grid.get_points()[center];
-    patch.radius = random.uniform(5, 10);
-    patch.is_spurious = random.uniform() < 0.5 && exact(center) > 4;
+    patch.radius = m_random.uniform(5, 10);
+    patch.is_spurious = m_random.uniform() < 0.5 && exact(center) > 4;
     std::vector<std::pair<double, std::uint32_t>> found;
     grid.visit_ball(patch.center, patch.radius, [&](std::size_t i, double d) {
-      if (patches[i] == no_patch)
+      if (m_patches[i] == no_patch)
         found.emplace_back(d, static_cast<std::uint32_t>(i));
       return true;
     });
@@ -208,44 +208,44 @@ private:
     found.resize((std::min)(found.size(), most));
     // towards another point of the patch, so about along the surface
     const std::size_t half = found.size() / 2;
-    const Point other = grid.get_points()[found[half + random.index(found.size() - half)].second];
+    const Point other = grid.get_points()[found[half + m_random.index(found.size() - half)].second];
     const Point v = other - patch.center;
     patch.direction = norm(v) > 0 ? unit(v) : Point{{1, 0, 0}};
     for (const std::pair<double, std::uint32_t>& f : found)
-      patches[f.second] = static_cast<std::uint32_t>(wrong.size());
-    wrong.push_back(patch);
+      m_patches[f.second] = static_cast<std::uint32_t>(m_wrong.size());
+    m_wrong.push_back(patch);
     return found.size();
   }
 
   double disturbed(std::size_t i) const
   {
     const double d = exact(i);
-    double value = d + errors[i] * grown(d);
-    if (patches[i] != no_patch)
-      value = wrong_value(wrong[patches[i]], position(i), value);
-    return (std::min)(cloud.truncation, (std::max)(0., value));
+    double value = d + m_errors[i] * grown(d);
+    if (m_patches[i] != no_patch)
+      value = wrong_value(m_wrong[m_patches[i]], position(i), value);
+    return (std::min)(m_cloud.truncation, (std::max)(0., value));
   }
 
   /// how much larger the errors are at the distance `d` than at the edge
-  double grown(double d) const { return 1. + growth * (1. - std::exp(-std::pow(d / 12., 1.5))); }
+  double grown(double d) const { return 1. + m_growth * (1. - std::exp(-std::pow(d / 12., 1.5))); }
 
   double wrong_value(const Wrong_patch& patch, const Point& p, double value) const
   {
     const Point v = p - patch.center;
     if (!patch.is_spurious)
-      return value + depth * (1. - 0.5 * dot(v, v) / (patch.radius * patch.radius));
+      return value + m_depth * (1. - 0.5 * dot(v, v) / (patch.radius * patch.radius));
     const double along = dot(v, patch.direction);
     const double to_line = std::sqrt((std::max)(0., dot(v, v) - along * along));
-    return (std::min)(value, (std::max)(to_line, value - 1.5 * depth));
+    return (std::min)(value, (std::max)(to_line, value - 1.5 * m_depth));
   }
 
   /// the statistics of a part of the points, for speed
   Field_statistics statistics() const
   {
     Field_statistics result;
-    const std::size_t stride = 1 + cloud.points.size() / 50000;
+    const std::size_t stride = 1 + m_cloud.points.size() / 50000;
     double n = 0;
-    for (std::size_t i = 0; i < cloud.points.size(); i += stride, ++n)
+    for (std::size_t i = 0; i < m_cloud.points.size(); i += stride, ++n)
     {
       const double error = disturbed(i) - exact(i);
       result.root_mean_square += error * error;
@@ -268,13 +268,13 @@ private:
     return 0.5 * (low + high);
   }
 
-  Cloud& cloud;
-  Error_level level;
-  Random& random;
-  double growth = 3, depth = 4;
-  std::vector<float> errors;          // at the edge
-  std::vector<std::uint32_t> patches; // the wrong patch of each point
-  std::vector<Wrong_patch> wrong;
+  Cloud& m_cloud;
+  Error_level m_level;
+  Random& m_random;
+  double m_growth = 3, m_depth = 4;
+  std::vector<float> m_errors;          // at the edge
+  std::vector<std::uint32_t> m_patches; // the wrong patch of each point
+  std::vector<Wrong_patch> m_wrong;
 };
 
 } // namespace internal

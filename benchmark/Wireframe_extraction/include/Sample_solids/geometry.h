@@ -80,11 +80,11 @@ class Random
 public:
   /// Streams of one seed are independent of each other, so leaving one out does not change the others.
   explicit Random(std::uint64_t seed, std::uint64_t stream = 0)
-    : engine(mix(mix(seed + 0x9e3779b97f4a7c15ull) ^ (stream * 0xd1b54a32d192ed03ull)))
+    : m_engine(mix(mix(seed + 0x9e3779b97f4a7c15ull) ^ (stream * 0xd1b54a32d192ed03ull)))
   {}
 
   /// uniform in [0, 1)
-  double uniform() { return static_cast<double>(engine() >> 11) * (1. / 9007199254740992.); }
+  double uniform() { return static_cast<double>(m_engine() >> 11) * (1. / 9007199254740992.); }
 
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
@@ -117,7 +117,7 @@ private:
     return x ^ (x >> 31);
   }
 
-  std::mt19937_64 engine;
+  std::mt19937_64 m_engine;
 };
 
 } // namespace Sample_solids

@@ -55,10 +55,10 @@ namespace internal {
 class Uniform_sampler
 {
 public:
-  Uniform_sampler(const Solid& m_solid, Random& m_random) : solid(m_solid), random(m_random)
+  Uniform_sampler(const Solid& solid, Random& random) : m_solid(solid), m_random(random)
   {
-    for (const Face& face : solid.faces)
-      sums.push_back(sum += face.area);
+    for (const Face& face : m_solid.faces)
+      m_sums.push_back(m_sum += face.area);
   }
 
   /// adds `n` points.
@@ -69,10 +69,11 @@ public:
     cloud.faces.reserve(wanted);
     while (cloud.points.size() < wanted)
     {
-      const double x = random.uniform(0, sum);
-      const std::size_t k = (std::min)(
-        static_cast<std::size_t>(std::upper_bound(sums.begin(), sums.end(), x) - sums.begin()), sums.size() - 1);
-      cloud.points.push_back(point_on(solid.faces[k]));
+      const double x = m_random.uniform(0, m_sum);
+      const std::size_t k =
+        (std::min)(static_cast<std::size_t>(std::upper_bound(m_sums.begin(), m_sums.end(), x) - m_sums.begin()),
+                   m_sums.size() - 1);
+      cloud.points.push_back(point_on(m_solid.faces[k]));
       cloud.faces.push_back(static_cast<std::uint32_t>(k));
     }
   }
@@ -82,8 +83,8 @@ private:
   {
     while (true)
     {
-      const double u = random.uniform(), v = random.uniform();
-      if (random.uniform() * face.largest_area_element() > face.area_element(v))
+      const double u = m_random.uniform(), v = m_random.uniform();
+      if (m_random.uniform() * face.largest_area_element() > face.area_element(v))
         continue;
       const Point p = face.at(u, v);
       if (face.inside(p) >= 0)
@@ -91,10 +92,10 @@ private:
     }
   }
 
-  const Solid& solid;
-  Random& random;
-  std::vector<double> sums;
-  double sum = 0;
+  const Solid& m_solid;
+  Random& m_random;
+  std::vector<double> m_sums;
+  double m_sum = 0;
 };
 
 /// The tiles of a solid's faces: rectangles of their parameters.
@@ -106,24 +107,24 @@ public:
     std::uint32_t face, i, j;
   };
 
-  explicit Solid_tiling(const Solid& m_solid) : solid(m_solid) {}
+  explicit Solid_tiling(const Solid& solid) : m_solid(solid) {}
 
   std::vector<Tile> tiles(double side)
   {
     side *= 0.7;
     double heaviest = 0;
-    for (const Face& face : solid.faces)
+    for (const Face& face : m_solid.faces)
     {
       const double columns = std::ceil(face.side_u() / side), rows = std::ceil(face.side_v() / side);
-      grids.push_back({columns, rows, face.largest_area_element() / (columns * rows)});
-      heaviest = (std::max)(heaviest, grids.back().weight);
+      m_grids.push_back({columns, rows, face.largest_area_element() / (columns * rows)});
+      heaviest = (std::max)(heaviest, m_grids.back().weight);
     }
     std::vector<Tile> result;
-    for (std::uint32_t f = 0; f < solid.faces.size(); ++f)
+    for (std::uint32_t f = 0; f < m_solid.faces.size(); ++f)
     {
-      grids[f].weight /= heaviest;
-      for (std::uint32_t i = 0; i < grids[f].columns; ++i)
-        for (std::uint32_t j = 0; j < grids[f].rows; ++j)
+      m_grids[f].weight /= heaviest;
+      for (std::uint32_t i = 0; i < m_grids[f].columns; ++i)
+        for (std::uint32_t j = 0; j < m_grids[f].rows; ++j)
           if (!is_off_surface({f, i, j}))
             result.push_back({f, i, j});
     }
@@ -132,8 +133,8 @@ public:
 
   bool throw_dart(const Tile& tile, Random& random, Point& p) const
   {
-    const Grid& grid = grids[tile.face];
-    const Face& face = solid.faces[tile.face];
+    const Grid& grid = m_grids[tile.face];
+    const Face& face = m_solid.faces[tile.face];
     const double u = (tile.i + random.uniform()) / grid.columns;
     const double v = (tile.j + random.uniform()) / grid.rows;
     if (random.uniform() * face.largest_area_element() > grid.weight * face.area_element(v))
@@ -142,30 +143,30 @@ public:
     return true;
   }
 
-  bool is_on_surface(const Tile& tile, const Point& p) const { return solid.faces[tile.face].inside(p) >= 0; }
+  bool is_on_surface(const Tile& tile, const Point& p) const { return m_solid.faces[tile.face].inside(p) >= 0; }
 
   Point center(const Tile& tile) const
   {
-    const Grid& grid = grids[tile.face];
-    return solid.faces[tile.face].at((tile.i + 0.5) / grid.columns, (tile.j + 0.5) / grid.rows);
+    const Grid& grid = m_grids[tile.face];
+    return m_solid.faces[tile.face].at((tile.i + 0.5) / grid.columns, (tile.j + 0.5) / grid.rows);
   }
 
   double extent(const Tile& tile) const
   {
-    const Grid& grid = grids[tile.face];
-    const Face& face = solid.faces[tile.face];
+    const Grid& grid = m_grids[tile.face];
+    const Face& face = m_solid.faces[tile.face];
     return 0.5 * std::hypot(face.side_u() / grid.columns, face.side_v() / grid.rows);
   }
 
   bool is_off_surface(const Tile& tile) const
   {
-    const Face& face = solid.faces[tile.face];
+    const Face& face = m_solid.faces[tile.face];
     return !face.trims.empty() && face.inside(center(tile)) < -extent(tile);
   }
 
   void halve()
   {
-    for (Grid& grid : grids)
+    for (Grid& grid : m_grids)
     {
       grid.columns *= 2;
       grid.rows *= 2;
@@ -183,34 +184,35 @@ private:
     double weight;        ///< of one tile relative to the heaviest: how likely a dart may hit it
   };
 
-  const Solid& solid;
-  std::vector<Grid> grids;
+  const Solid& m_solid;
+  std::vector<Grid> m_grids;
 };
 
 /// Tells points of a solid their exact distances.
 class Annotator
 {
 public:
-  Annotator(const Solid& solid, const Sampling_options& options) : bound(options.truncation * options.sampling_distance)
+  Annotator(const Solid& solid, const Sampling_options& options)
+    : m_bound(options.truncation * options.sampling_distance)
   {
     if (options.scope == Field_scope::ALL)
-      trees.emplace_back(solid.curves, solid.sharp_curves());
+      m_trees.emplace_back(solid.curves, solid.sharp_curves());
     else
       for (std::size_t i = 0; i < solid.faces.size(); ++i)
-        trees.emplace_back(solid.curves, solid.curves_around(i));
+        m_trees.emplace_back(solid.curves, solid.curves_around(i));
   }
 
   void annotate(Cloud& cloud) const
   {
     cloud.exact_distances.reserve(cloud.points.size());
     for (std::size_t i = cloud.exact_distances.size(); i < cloud.points.size(); ++i)
-      cloud.exact_distances.push_back(trees[trees.size() == 1 ? 0 : cloud.faces[i]](cloud.points[i], bound));
+      cloud.exact_distances.push_back(m_trees[m_trees.size() == 1 ? 0 : cloud.faces[i]](cloud.points[i], m_bound));
     cloud.distances = cloud.exact_distances;
   }
 
 private:
-  double bound;
-  std::vector<Curve_distance> trees;
+  double m_bound;
+  std::vector<Curve_distance> m_trees;
 };
 
 } // namespace internal
