@@ -19,9 +19,21 @@ string(FIND "${readme_code}" "```" position)
 string(SUBSTRING "${readme_code}" 0 ${position} readme_code)
 
 set(readme_source "${CMAKE_CURRENT_BINARY_DIR}/readme/test_wireframe_readme.cpp")
-file(CONFIGURE OUTPUT "${readme_source}" CONTENT "@readme_code@" @ONLY)
-# The same source with the compiled core and header-only. The README calls the cloud `cloud.ply`; here that is a bundled one
-# whose field errs, so that every stage has something to do.
+# The same source with the compiled core and header-only, which is long to compile. So what is compared besides, wireframes of
+# a scan and of a mesh, is in the same program.
+file(CONFIGURE OUTPUT "${readme_source}" @ONLY CONTENT [=[
+#define main main_of_readme
+@readme_code@
+#undef main
+
+#include "write_other_wireframes.h"
+
+int main()
+{
+  return main_of_readme() == 0 && write_wireframe_of_scan() && write_wireframe_of_mesh() ? 0 : 1;
+}
+]=])
+# The README calls the cloud `cloud.ply`; here that is a bundled one whose field errs, so that every stage has something to do.
 set(ways header_only)
 if(TARGET CGAL::Wireframe_extraction_Core)
   list(APPEND ways compiled)
@@ -29,13 +41,11 @@ endif()
 foreach(way IN LISTS ways)
   set(name test_wireframe_readme_${way})
   add_executable(${name} "${readme_source}")
+  target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_LIST_DIR}/include")
   if(way STREQUAL "compiled")
     target_link_libraries(${name} PRIVATE CGAL::Wireframe_extraction_Core)
   else()
     target_link_libraries(${name} PRIVATE CGAL::Wireframe_extraction)
-    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # a false one, about edges of Boost that CGAL collects
-      target_compile_options(${name} PRIVATE -Wno-maybe-uninitialized)
-    endif()
     if(TARGET CGAL::TBB_support)
       target_link_libraries(${name} PRIVATE CGAL::TBB_support)
     endif()
@@ -45,8 +55,12 @@ foreach(way IN LISTS ways)
   endif()
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/run/${name}")
   file(MAKE_DIRECTORY "${folder}")
-  file(CREATE_LINK "${root}/examples/Wireframe_extraction/data/slotted_plate.ply" "${folder}/cloud.ply"
-    SYMBOLIC COPY_ON_ERROR)
+  foreach(file IN ITEMS slotted_plate.ply:cloud.ply l_bracket_scan.ply:scan.ply rounded_plate.stl:part.stl)
+    string(REPLACE ":" ";" names "${file}")
+    list(GET names 0 bundled)
+    list(GET names 1 called)
+    file(CREATE_LINK "${root}/examples/Wireframe_extraction/data/${bundled}" "${folder}/${called}" SYMBOLIC COPY_ON_ERROR)
+  endforeach()
   add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY "${folder}")
   set_tests_properties(${name} PROPERTIES TIMEOUT 300 FIXTURES_SETUP readme_${way})
 endforeach()
@@ -54,11 +68,13 @@ endforeach()
 # They write the same bits.
 if("compiled" IN_LIST ways)
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/run")
-  add_test(NAME same_bits_compiled_and_header_only
-    COMMAND "${CMAKE_COMMAND}" -E compare_files "${folder}/test_wireframe_readme_compiled/wireframe.json"
-      "${folder}/test_wireframe_readme_header_only/wireframe.json")
-  set_tests_properties(same_bits_compiled_and_header_only PROPERTIES FIXTURES_REQUIRED
-    "readme_compiled;readme_header_only")
+  foreach(file IN ITEMS wireframe scan part)
+    add_test(NAME same_bits_compiled_and_header_only_${file}
+      COMMAND "${CMAKE_COMMAND}" -E compare_files "${folder}/test_wireframe_readme_compiled/${file}.json"
+        "${folder}/test_wireframe_readme_header_only/${file}.json")
+    set_tests_properties(same_bits_compiled_and_header_only_${file} PROPERTIES FIXTURES_REQUIRED
+      "readme_compiled;readme_header_only")
+  endforeach()
 endif()
 
 # Header-only, every function is one that several source files may define.
