@@ -6,6 +6,7 @@
 #include <CGAL/Wireframe_extraction/internal/field/contract.h>
 #include <CGAL/Wireframe_extraction/internal/field/polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/fit/fit_network.h>
+#include <CGAL/Wireframe_extraction/internal/network/Bend_sharpener.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_end_joiner.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_evidence.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_tracer.h>
@@ -662,6 +663,160 @@ void test_rounded_corners()
     }
 }
 
+// A slab of some thickness below the plane z = 0, whose edge is that of a plate above and below: all points near its
+// edges, with errors of the distances. Where it is not rounded, a third edge leads from corner to corner.
+Field_points slab(double radius, double thickness, double deviation, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> jitter(-0.4, 0.4);
+  std::normal_distribution<double> error(0., deviation);
+  const Polyline edge = rounded_edge(radius);
+  const std::vector<double> lengths = arc_lengths(edge);
+  Field_points field;
+  const auto add = [&](const Vector& p) {
+    const Vector opposite(p.x(), p.y(), -thickness - p.z());
+    double d = (std::min)(distance_to(edge, p), distance_to(edge, opposite));
+    if (radius == 0.)
+      d = (std::min)(d, distance_to({Vector(0., 0., 0.), Vector(0., 0., -thickness)}, p));
+    if (d > 4.)
+      return;
+    field.points.push_back(p);
+    field.distances.push_back(std::abs(d + error(random)));
+  };
+  for (double z : {0., -thickness})
+    for (double x = -11.5; x < 0.; ++x)
+      for (double y = 0.5; y < 12.; ++y)
+      {
+        const Vector p(x + jitter(random), y + jitter(random), z);
+        const bool is_cut_off =
+          p.x() > -radius && p.y() < radius && std::hypot(p.x() + radius, p.y() - radius) > radius;
+        if (!is_cut_off)
+          add(p);
+      }
+  Polyline_walk walk(edge, lengths);
+  for (double s = 0.5; s < lengths.back(); ++s)
+  {
+    const Vector p = walk.advance_to(s);
+    for (double z = -0.5; z > -thickness; --z)
+      add(p + (z + jitter(random)) * Vector::UnitZ());
+  }
+  return field;
+}
+
+// the edges of a slab above and below, rounded by `radius`
+Curve_network edges_of_slab(double radius, double thickness)
+{
+  const Polyline edge = rounded_edge(radius);
+  const std::vector<double> lengths = arc_lengths(edge);
+  Curve_network network;
+  for (double z : {0., -thickness})
+  {
+    Network_curve curve;
+    Polyline_walk walk(edge, lengths);
+    for (double s = 0.; s <= lengths.back(); s += 0.5)
+      curve.points.push_back(walk.advance_to(s) + z * Vector::UnitZ());
+    for (int e = 0; e < 2; ++e)
+    {
+      curve.nodes[e] = network.nodes.size();
+      network.nodes.push_back(e == 0 ? curve.points.front() : curve.points.back());
+      curve.tips[e].point = network.nodes.back();
+      curve.tips[e].tangent = e == 0 ? Vector(-1., 0., 0.) : Vector(0., 1., 0.);
+    }
+    network.curves.push_back(curve);
+  }
+  return network;
+}
+
+bool sharpen(Curve_network& network, const Field_band& band, double noise)
+{
+  const std::function<bool(double)> uninterrupted;
+  Progress progress(uninterrupted);
+  Joining_options options;
+  options.noise = noise;
+  const Extraction_options extraction;
+  Segment_grid grid;
+  for (std::size_t c = 0; c < network.curves.size(); ++c)
+    grid.add(c, network.curves[c].points);
+  return Bend_sharpener(network, options, &progress)
+    .run(
+      [&](const Vector& center, const std::vector<Polyline>& lines) {
+        return Joint_fit(band, noise, extraction, center, 4., 9., 0.06, grid, lines);
+      },
+      Curve_evidence(band, noise), 1.);
+}
+
+// Where traces have come around the corners of a slab, in a field with errors, the third edge tells that these are
+// corners. Where its edge is rounded no third edge is there, and the curves stay as they are.
+void test_bends()
+{
+  const double noise = 0.2, thickness = 6.;
+  for (unsigned seed = 0; seed < 20; ++seed)
+  {
+    std::mt19937 random(seed);
+    const Field_band sharp = band_of(slab(0., thickness, noise, random));
+    Curve_network network = edges_of_slab(1.5, thickness);
+    assert(sharpen(network, sharp, noise));
+    assert(network.curves.size() == 4);
+    for (double z : {0., -thickness})
+    {
+      std::size_t number_of_ends = 0;
+      for (const Network_curve& curve : network.curves)
+        for (int e = 0; e < 2; ++e)
+        {
+          const Vector& end = e == 0 ? curve.points.front() : curve.points.back();
+          assert(network.nodes[curve.nodes[e]] == end && curve.tips[e].point == end);
+          number_of_ends += (end - Vector(0., 0., z)).norm() < 0.5;
+        }
+      assert(number_of_ends == 2);
+    }
+    // fits of splines show corners and roundings of a precise field
+    Curve_network unchanged = edges_of_slab(1.5, thickness);
+    assert(!sharpen(unchanged, sharp, 0.05) && unchanged.curves.size() == 2);
+    for (double radius : {1.5, 2., 3.})
+    {
+      const Field_band rounded = band_of(slab(radius, thickness, noise, random));
+      Curve_network network = edges_of_slab(radius, thickness);
+      const Polyline before = network.curves[0].points;
+      assert(!sharpen(network, rounded, noise));
+      assert(network.curves.size() == 2 && network.nodes.size() == 4 && network.curves[0].points == before);
+    }
+  }
+}
+
+// a circle has no bend, wherever it starts; and a closed curve with one starts at its corner in the end
+void test_bends_of_closed_curves()
+{
+  const double noise = 0.2, thickness = 6., size = 24.;
+  std::mt19937 random(1);
+  std::normal_distribution<double> error(0., noise);
+  Field_points field = rim(5., random);
+  for (double& d : field.distances)
+    d = std::abs(d + error(random));
+  Curve_network circle;
+  circle.curves.resize(1);
+  for (int k = 0; k <= 60; ++k)
+    circle.curves[0].points.push_back(
+      5. * Vector(std::cos(2. * CGAL_PI * (k % 60) / 60.), std::sin(2. * CGAL_PI * (k % 60) / 60.), 0.));
+  assert(!sharpen(circle, band_of(field), noise) && circle.curves.size() == 1);
+
+  const Field_band band = band_of(slab(0., thickness, noise, random));
+  Curve_network closed = edges_of_slab(1.5, thickness);
+  // the upper edge goes on where there are no points, over the other corners of a square, which are blunt
+  Polyline& points = closed.curves[0].points;
+  const Vector middle(-0.5 * size, 0.5 * size, 0.);
+  for (int k = 1; k < 96; ++k)
+  {
+    const double angle = 1.5 * CGAL_PI * k / 96.;
+    points.push_back(middle + 0.5 * size * Vector(std::cos(angle), std::sin(angle), 0.));
+  }
+  points.push_back(points.front());
+  closed.curves[0].nodes = {no_node, no_node};
+  assert(sharpen(closed, band, noise));
+  const Network_curve& result = closed.curves[0];
+  assert(result.nodes[0] == result.nodes[1] && result.nodes[0] != no_node);
+  assert(closed.nodes[result.nodes[0]].norm() < 0.5);
+  assert(result.points.front() == result.points.back());
+}
+
 // Cancelling ------------------------------------------------------------------------------------------
 
 // boxes in a row, the points near their edges, with errors
@@ -914,6 +1069,8 @@ int main()
   test_prune_at_a_border();
   test_prune_worst_first();
   test_rounded_corners();
+  test_bends();
+  test_bends_of_closed_curves();
   test_no_spline_leaves_its_points();
   test_cancelling();
   return 0;

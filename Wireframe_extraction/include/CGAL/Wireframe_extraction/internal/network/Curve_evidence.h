@@ -40,10 +40,11 @@ class Curve_evidence
   double m_noise, m_least_tolerance;
   Progress* m_progress;
 
-  // in sampling distances: beyond it, a curve is nobody's; beyond the band's points and their tolerance
-  static constexpr double farthest = 4.;
   // in standard deviations of a distance: where its loss is full, 99 % of normal errors are smaller
   static constexpr double tolerance_per_deviation = 2.5;
+  // Support of an edge, in r: by the points in balls that hold about three; not within half of the skeleton's width of
+  // its ends, and not at all within this share of its length.
+  static constexpr double radius_of_support = 1., disturbed_length = 1.5, disturbed_share = 0.4;
   static constexpr std::uint32_t none = Polyline_foot::no_curve;
 
   double loss(std::size_t i, double distance) const
@@ -104,6 +105,8 @@ class Curve_evidence
   }
 
 public:
+  // in sampling distances: beyond it, a curve is nobody's; beyond the band's points and their tolerance
+  static constexpr double farthest = 4.;
   // in r: distances of an exact field differ by as much from those to a polyline whose points are r apart
   static constexpr double default_tolerance = 0.2;
 
@@ -205,6 +208,27 @@ public:
       sum += loss(i, std::sqrt(nearest));
     }
     return sum;
+  }
+
+  // The share of the places along a straight edge that have a point near which agrees with its distance. Places near the
+  // ends do not count, since the points there are other curves'.
+  double support(const std::vector<Vector>& edge) const
+  {
+    const double disturbed = (std::min)(disturbed_length, disturbed_share * (edge.back() - edge.front()).norm());
+    std::vector<std::size_t> ball;
+    std::size_t places = 0, supported = 0;
+    for (const Vector& place : edge)
+    {
+      if ((place - edge.front()).norm() < disturbed || (place - edge.back()).norm() < disturbed)
+        continue;
+      m_band.search.query(place, radius_of_support, ball);
+      ++places;
+      supported += std::any_of(ball.begin(), ball.end(), [&](std::size_t i) {
+        const double distance = std::sqrt(squared_distance_to_segment(m_band.points[i], edge.front(), edge.back()));
+        return std::abs(m_band.distances[i] - distance) < agreement_tolerance(m_band.deviation(i, m_noise));
+      });
+    }
+    return places > 0 ? double(supported) / double(places) : 0.;
   }
 
   // Returns which of the curves to keep: without the others, worst first, the field is explained about as well. Of

@@ -18,6 +18,7 @@
 #include <CGAL/Wireframe_extraction/internal/field/Contraction.h>
 #include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
 #include <CGAL/Wireframe_extraction/internal/fit/Spline_network_fit.h>
+#include <CGAL/Wireframe_extraction/internal/network/Bend_sharpener.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_end_joiner.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_evidence.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_tracer.h>
@@ -156,6 +157,10 @@ private:
       },
       [&] {
         if (is_smooth)
+          sharpen_bends(joiner, network, progress);
+      },
+      [&] {
+        if (is_smooth)
           add_edges(joiner, network, evidence, progress);
       },
       [&] { drop_spurs(joiner); },
@@ -174,16 +179,36 @@ private:
 
   void round_off(Curve_end_joiner& joiner, const Curve_network& network, Progress& progress) const
   {
+    const Segment_grid grid = grid_of(network);
+    joiner.round_off(joint_fit(grid), gain_of_rounding * m_options.minimum_evidence, progress);
+  }
+
+  void sharpen_bends(Curve_end_joiner& joiner, Curve_network& network, Progress& progress) const
+  {
+    const Segment_grid grid = grid_of(network);
+    const Curve_evidence evidence(m_band, m_contraction.noise, &progress);
+    Bend_sharpener sharpener(network, m_joining, &progress);
+    if (sharpener.run(joint_fit(grid), evidence, gain_of_rounding * m_options.minimum_evidence))
+      joiner.join();
+  }
+
+  static Segment_grid grid_of(const Curve_network& network)
+  {
     Segment_grid grid;
     for (std::size_t c = 0; c < network.curves.size(); ++c)
       if (network.curves[c].is_alive)
         grid.add(c, network.curves[c].points);
-    joiner.round_off(
-      [&](const Vector& center, const std::vector<std::vector<Vector>>& curves) {
-        return Joint_fit(m_band, m_contraction.noise, m_options, center, radius_of_joint, reach_of_joint,
-                         sharp_tolerance, grid, curves);
-      },
-      gain_of_rounding * m_options.minimum_evidence, progress);
+    return grid;
+  }
+
+  // makes a Joint_fit of polylines that meet at a center
+  std::function<Joint_fit(const Vector& center, const std::vector<std::vector<Vector>>& polylines)> joint_fit(
+    const Segment_grid& grid) const
+  {
+    return [this, &grid](const Vector& center, const std::vector<std::vector<Vector>>& polylines) {
+      return Joint_fit(m_band, m_contraction.noise, m_options, center, radius_of_joint, reach_of_joint, sharp_tolerance,
+                       grid, polylines);
+    };
   }
 
   // after cancelling, none is worth it
