@@ -764,7 +764,7 @@ void test_bends()
         {
           const Vector& end = e == 0 ? curve.points.front() : curve.points.back();
           assert(network.nodes[curve.nodes[e]] == end && curve.tips[e].point == end);
-          number_of_ends += (end - Vector(0., 0., z)).norm() < 0.5;
+          number_of_ends += (end - Vector(0., 0., z)).norm() < 1.;
         }
       assert(number_of_ends == 2);
     }
@@ -813,7 +813,7 @@ void test_bends_of_closed_curves()
   assert(sharpen(closed, band, noise));
   const Network_curve& result = closed.curves[0];
   assert(result.nodes[0] == result.nodes[1] && result.nodes[0] != no_node);
-  assert(closed.nodes[result.nodes[0]].norm() < 0.5);
+  assert(closed.nodes[result.nodes[0]].norm() < 1.);
   assert(result.points.front() == result.points.back());
 }
 

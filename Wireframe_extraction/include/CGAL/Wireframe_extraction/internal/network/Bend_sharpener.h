@@ -43,7 +43,8 @@ class Bend_sharpener : private Joint_editor
   static constexpr double half_of_bend = 2., length_of_chord = 3., shortest_chord = 1.5;
   // An arc of a circle turns by 0.43 of the turn of a bend from such a chord to the next one, lines that meet by 0.
   static constexpr double most_turn_of_sides = 0.2;
-  static constexpr double between_bends = 3.; // nearer ones are one
+  // nearer bends are one, which both see; where they are two, the second shows when the first has become a corner
+  static constexpr double between_bends = half_of_bend + length_of_chord;
   // A third edge: longer ones are traced. It leaves by more than what the chords err together with the turn that is no
   // corner; else it runs along one of the two that it shall tell about.
   static constexpr double longest_edge = 10., least_angle = 0.5;

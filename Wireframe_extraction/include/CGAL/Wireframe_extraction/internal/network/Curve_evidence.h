@@ -210,8 +210,8 @@ public:
     return sum;
   }
 
-  // The share of the places along a straight edge that have a point near which agrees with its distance. Places near the
-  // ends do not count, since the points there are other curves'.
+  // The share of the places along a straight edge that have a point near which agrees with its distance. Places near
+  // the ends do not count, since the points there are other curves'.
   double support(const std::vector<Vector>& edge) const
   {
     const double disturbed = (std::min)(disturbed_length, disturbed_share * (edge.back() - edge.front()).norm());
