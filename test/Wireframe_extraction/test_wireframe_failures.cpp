@@ -260,6 +260,9 @@ void test_other_meanings()
     test_same_refusal(changed(scale, [=](double d) { return (std::max)(0., 1. - d / (3. * r)); }), "probability");
     test_same_refusal(changed(scale, [](double d) { return 4. * d; }), "another unit");
     assert(!WE::select_skeleton(changed(scale, [](double d) { return d; })).is_empty());
+    // regressors know distances up to some limit
+    for (const double limit : {3.2, 4., 6., 10.})
+      assert(!WE::select_skeleton(changed(scale, [=](double d) { return (std::min)(d, limit * r); })).is_empty());
   }
 }
 

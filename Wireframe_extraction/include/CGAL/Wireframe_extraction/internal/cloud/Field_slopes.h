@@ -48,6 +48,9 @@ class Field_slopes
   static constexpr double most_relative_scatter = 0.6;
   // The gradient of the root of a square; that of a distance in a thin part, where features are everywhere, is 0.6.
   static constexpr double least_gradient_of_root = 0.5, most_gradient_of_root = 1.6;
+  // Within about the radius of a ball from a feature, which lies in the ball then, gradients are too small, and grow
+  // with the distance as those of a square do. There the largest value in the ball is beyond twice that at its center.
+  static constexpr double most_relative_change = 2.;
   // Below this share of the first axis, a ball of points has no extent: it is a strip, or flat.
   static constexpr double least_relative_axis = 0.25;
 
@@ -100,16 +103,31 @@ public:
     if (slopes.size() < least_count)
       return;
     scale.gradient = upper_quartile_over_root(slopes, 0.);
-    const double scatter = scatter_around_power(slopes, 0.);
     const double of_root = 0.5 * upper_quartile_over_root(slopes, 0.5);
-    if (scatter_around_power(slopes, 1.) < most_relative_scatter * scatter)
+    const std::vector<Slope> inner = away_from_features(slopes);
+    // one that falls so fast that no point is far from features, as it says, is no distance in any case
+    if (follows_power(inner.size() < least_count ? slopes : inner, 1.))
       scale.meaning = Field_meaning::EXPONENTIAL;
-    else if (scatter_around_power(slopes, 0.5) < most_relative_scatter * scatter && of_root > least_gradient_of_root
-             && of_root < most_gradient_of_root)
+    else if (of_root > least_gradient_of_root && of_root < most_gradient_of_root && inner.size() >= least_count
+             && follows_power(inner, 0.5))
       scale.meaning = Field_meaning::SQUARED;
   }
 
 private:
+  static std::vector<Slope> away_from_features(std::vector<Slope> slopes)
+  {
+    slopes.erase(
+      std::remove_if(slopes.begin(), slopes.end(),
+                     [](const Slope& slope) { return slope.largest_around > most_relative_change * slope.field; }),
+      slopes.end());
+    return slopes;
+  }
+
+  static bool follows_power(const std::vector<Slope>& slopes, double power)
+  {
+    return scatter_around_power(slopes, power) < most_relative_scatter * scatter_around_power(slopes, 0.);
+  }
+
   // how much the logarithms of the gradients scatter around a power of the field
   static double scatter_around_power(const std::vector<Slope>& slopes, double power)
   {
