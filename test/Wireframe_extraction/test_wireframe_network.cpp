@@ -136,35 +136,44 @@ double distance_to(const Polyline& line, const Vector& p)
   return std::sqrt(square);
 }
 
-// the plate's upper face, and the side below its edge
-Field_points plate(double radius, std::mt19937& random)
+// Shows the points of a plate: those of its faces at these heights, and of the side from its edge down to a depth.
+template <class Add>
+void visit_plate(double radius, const std::vector<double>& faces, double depth, std::mt19937& random, const Add& add)
 {
   std::uniform_real_distribution<double> jitter(-0.4, 0.4);
   const Polyline edge = rounded_edge(radius);
-  Field_points field;
-  const auto add = [&](const Vector& p) {
-    const double d = distance_to(edge, p);
-    if (d > 4.)
-      return;
-    field.points.push_back(p);
-    field.distances.push_back(d);
-  };
-  for (double x = -11.5; x < 0.; ++x)
-    for (double y = 0.5; y < 12.; ++y)
-    {
-      const Vector p(x + jitter(random), y + jitter(random), 0.);
-      const bool is_cut_off = p.x() > -radius && p.y() < radius && std::hypot(p.x() + radius, p.y() - radius) > radius;
-      if (!is_cut_off)
-        add(p);
-    }
+  for (double z : faces)
+    for (double x = -11.5; x < 0.; ++x)
+      for (double y = 0.5; y < 12.; ++y)
+      {
+        const Vector p(x + jitter(random), y + jitter(random), z);
+        const bool is_cut_off =
+          p.x() > -radius && p.y() < radius && std::hypot(p.x() + radius, p.y() - radius) > radius;
+        if (!is_cut_off)
+          add(p);
+      }
   const std::vector<double> lengths = arc_lengths(edge);
   Polyline_walk walk(edge, lengths);
   for (double s = 0.5; s < lengths.back(); ++s)
   {
     const Vector p = walk.advance_to(s);
-    for (double z = -0.5; z > -4.; --z)
+    for (double z = -0.5; z > -depth; --z)
       add(p + (z + jitter(random)) * Vector::UnitZ());
   }
+}
+
+// the plate's upper face, and the side below its edge
+Field_points plate(double radius, std::mt19937& random)
+{
+  const Polyline edge = rounded_edge(radius);
+  Field_points field;
+  visit_plate(radius, {0.}, 4., random, [&](const Vector& p) {
+    const double d = distance_to(edge, p);
+    if (d > 4.)
+      return;
+    field.points.push_back(p);
+    field.distances.push_back(d);
+  });
   return field;
 }
 
@@ -640,9 +649,7 @@ void test_rounded_corners()
       std::mt19937 random(seed);
       const Field_band band = band_of(plate(radius, random));
       Curve_network network = corner_network();
-      Segment_grid grid;
-      for (std::size_t c = 0; c < network.curves.size(); ++c)
-        grid.add(c, network.curves[c].points);
+      const Segment_grid grid = network.segments();
       Curve_end_joiner(network, options)
         .round_off(
           [&](const Vector& center, const std::vector<Polyline>& lines) {
@@ -667,12 +674,10 @@ void test_rounded_corners()
 // edges, with errors of the distances. Where it is not rounded, a third edge leads from corner to corner.
 Field_points slab(double radius, double thickness, double deviation, std::mt19937& random)
 {
-  std::uniform_real_distribution<double> jitter(-0.4, 0.4);
   std::normal_distribution<double> error(0., deviation);
   const Polyline edge = rounded_edge(radius);
-  const std::vector<double> lengths = arc_lengths(edge);
   Field_points field;
-  const auto add = [&](const Vector& p) {
+  visit_plate(radius, {0., -thickness}, thickness, random, [&](const Vector& p) {
     const Vector opposite(p.x(), p.y(), -thickness - p.z());
     double d = (std::min)(distance_to(edge, p), distance_to(edge, opposite));
     if (radius == 0.)
@@ -681,24 +686,7 @@ Field_points slab(double radius, double thickness, double deviation, std::mt1993
       return;
     field.points.push_back(p);
     field.distances.push_back(std::abs(d + error(random)));
-  };
-  for (double z : {0., -thickness})
-    for (double x = -11.5; x < 0.; ++x)
-      for (double y = 0.5; y < 12.; ++y)
-      {
-        const Vector p(x + jitter(random), y + jitter(random), z);
-        const bool is_cut_off =
-          p.x() > -radius && p.y() < radius && std::hypot(p.x() + radius, p.y() - radius) > radius;
-        if (!is_cut_off)
-          add(p);
-      }
-  Polyline_walk walk(edge, lengths);
-  for (double s = 0.5; s < lengths.back(); ++s)
-  {
-    const Vector p = walk.advance_to(s);
-    for (double z = -0.5; z > -thickness; --z)
-      add(p + (z + jitter(random)) * Vector::UnitZ());
-  }
+  });
   return field;
 }
 
@@ -733,9 +721,7 @@ bool sharpen(Curve_network& network, const Field_band& band, double noise)
   Joining_options options;
   options.noise = noise;
   const Extraction_options extraction;
-  Segment_grid grid;
-  for (std::size_t c = 0; c < network.curves.size(); ++c)
-    grid.add(c, network.curves[c].points);
+  const Segment_grid grid = network.segments();
   return Bend_sharpener(network, options, &progress)
     .run(
       [&](const Vector& center, const std::vector<Polyline>& lines) {

@@ -53,12 +53,23 @@ class Bend_sharpener : private Joint_editor
   // of the ball whose points judge: it holds most of a third edge, whose points the others must leave
   static constexpr double radius_of_judgement = 6.;
 
+  static constexpr std::size_t no_target = static_cast<std::size_t>(-1), no_curve = no_target;
+
+  // The points of a curve on both sides of a bend, the bend itself last and first.
+  struct Sides
+  {
+    std::size_t first, last; // of the curve's points
+    std::vector<Vector> head, tail;
+  };
+
   struct Bend
   {
     std::size_t curve;
     Vector place;
     double turn;
-    std::size_t target; // of m_targets, which is its corner, if it has one
+    Sides sides = {};
+    std::optional<Joint_course> corner = {}; // where the sides meet if they are followed
+    std::size_t target = no_target;          // of m_targets, which is this corner
   };
 
   // where a third edge may lead to
@@ -68,11 +79,10 @@ class Bend_sharpener : private Joint_editor
     std::size_t node; // no_node of a bend
   };
 
-  static constexpr std::size_t no_target = static_cast<std::size_t>(-1);
-
   std::vector<Bend> m_bends; // curve by curve, in the order in which these come to them
   std::vector<Target> m_targets;
   std::vector<Eigen::AlignedBox3d> m_boxes; // of the curves
+  std::size_t m_split_curve = no_curve;     // the last one, whose bends see others behind them than they did
 
 public:
   using Joint_editor::Joint_editor;
@@ -106,13 +116,6 @@ public:
   }
 
 private:
-  // The points of a curve on both sides of a bend, the bend itself last and first. Empty where a side is too short.
-  struct Sides
-  {
-    std::size_t first, last; // of the curve's points
-    std::vector<Vector> head, tail;
-  };
-
   static Eigen::AlignedBox3d box_of(const std::vector<Vector>& points)
   {
     Eigen::AlignedBox3d box;
@@ -130,7 +133,7 @@ private:
     {
       const double turn = turn_at(points, k, m_network.curves[c].is_closed_without_node());
       if (turn > m_options.smooth_turn)
-        found.push_back({c, points[k], turn, no_target});
+        found.push_back({c, points[k], turn});
     }
     std::vector<std::size_t> order(found.size()), kept;
     std::iota(order.begin(), order.end(), std::size_t(0));
@@ -193,11 +196,13 @@ private:
   void find_targets(const Make_joint_fit& joint_fit)
   {
     for (std::size_t b = 0; b < m_bends.size() && goes_on(); ++b)
-      if (const std::optional<Joint_course> corner = corner_at(b, sides_of(b), joint_fit))
-      {
-        m_bends[b].target = m_targets.size();
-        m_targets.push_back({corner->polylines[0].back(), no_node});
-      }
+    {
+      find_corner(b, joint_fit);
+      if (!m_bends[b].corner)
+        continue;
+      m_bends[b].target = m_targets.size();
+      m_targets.push_back({m_bends[b].corner->polylines[0].back(), no_node});
+    }
     const Incidences incidences = m_network.incidences();
     for (std::size_t node = 0; node < incidences.size(); ++node)
       if (!incidences[node].empty())
@@ -232,9 +237,11 @@ private:
   }
 
   template <class Make_joint_fit>
-  std::optional<Joint_course> corner_at(std::size_t b, const Sides& sides, const Make_joint_fit& joint_fit) const
+  void find_corner(std::size_t b, const Make_joint_fit& joint_fit)
   {
-    return best_extrapolated_corner(
+    m_bends[b].sides = sides_of(b);
+    const Sides& sides = m_bends[b].sides;
+    m_bends[b].corner = best_extrapolated_corner(
       joint_fit(m_bends[b].place, std::vector<std::vector<Vector>>{sides.head, sides.tail}), sides.head, sides.tail);
   }
 
@@ -242,11 +249,11 @@ private:
   bool sharpen(std::size_t b, const Make_joint_fit& joint_fit, const Curve_evidence& evidence,
                const Ball_search& search, double margin)
   {
-    const Sides sides = sides_of(b);
-    const std::optional<Joint_course> corner = corner_at(b, sides, joint_fit);
-    if (!corner)
+    if (m_bends[b].curve == m_split_curve)
+      find_corner(b, joint_fit);
+    if (!m_bends[b].corner)
       return false;
-    const std::array<std::vector<Vector>, 2> parts = parts_at(b, sides, *corner);
+    const std::array<std::vector<Vector>, 2> parts = parts_at(m_bends[b]);
     const std::vector<const std::vector<Vector>*> others = curves_near(b);
     const auto loss = [&](std::vector<const std::vector<Vector>*> polylines) {
       polylines.insert(polylines.end(), others.begin(), others.end());
@@ -302,14 +309,12 @@ private:
   }
 
   // the whole curve up to the corner, and from there
-  std::array<std::vector<Vector>, 2> parts_at(std::size_t b, const Sides& sides, const Joint_course& corner) const
+  std::array<std::vector<Vector>, 2> parts_at(const Bend& bend) const
   {
-    const std::vector<Vector>& points = m_network.curves[m_bends[b].curve].points;
-    std::array<std::vector<Vector>, 2> parts;
-    parts[0].assign(points.begin(), points.begin() + sides.first);
-    parts[0].insert(parts[0].end(), corner.polylines[0].begin(), corner.polylines[0].end());
-    parts[1] = corner.polylines[1];
-    parts[1].insert(parts[1].end(), points.begin() + sides.last + 1, points.end());
+    const std::vector<Vector>& points = m_network.curves[bend.curve].points;
+    std::array<std::vector<Vector>, 2> parts{bend.corner->polylines[0], bend.corner->polylines[1]};
+    parts[0].insert(parts[0].begin(), points.begin(), points.begin() + bend.sides.first);
+    parts[1].insert(parts[1].end(), points.begin() + bend.sides.last + 1, points.end());
     return parts;
   }
 
@@ -339,6 +344,7 @@ private:
       m_boxes.push_back(box_of(second.points));
     }
     m_boxes[c] = box_of(m_network.curves[c].points);
+    m_split_curve = c;
   }
 };
 

@@ -219,10 +219,7 @@ private:
 
   std::vector<Split> proposed_splits(const Incidences& incidences) const
   {
-    Segment_grid grid;
-    for (std::size_t c = 0; c < m_network.curves.size(); ++c)
-      if (m_network.curves[c].is_alive)
-        grid.add(c, m_network.curves[c].points);
+    const Segment_grid grid = m_network.segments();
     std::vector<Split> splits;
     for (std::size_t node = 0; node < incidences.size() && goes_on(); ++node)
     {

@@ -34,6 +34,9 @@ namespace internal {
 class Curve_end_joiner : private Joint_editor
 {
   // Lengths in r, angles in radians.
+  // Where a corner turns much, the loss of a smooth course is at most this share of its loss, if it is not less by the
+  // margin: in a precise field, what one model misses twice as badly is an error of the model, not of the field.
+  static constexpr double most_of_loss = 0.5;
 
   // Free ends lead to nodes ahead that are farther than those that beliefs compare, and to such that a trace has run
   // past by no more than along(); if these lie within two standard deviations aside, and within the error of a

@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CURVE_NETWORK_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CURVE_NETWORK_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
 #include <CGAL/Wireframe_extraction/internal/field/Traced_curve.h>
@@ -80,6 +81,16 @@ struct Curve_network
     for (const Network_curve& curve : curves)
       result.push_back(curve.is_alive ? &curve.points : nullptr);
     return result;
+  }
+
+  // of the living curves, each with its index
+  Segment_grid segments() const
+  {
+    Segment_grid grid;
+    for (std::size_t c = 0; c < curves.size(); ++c)
+      if (curves[c].is_alive)
+        grid.add(c, curves[c].points);
+    return grid;
   }
 
   // all (curve, end) pairs of the living curves, by node

@@ -44,9 +44,6 @@ class Joint_editor : protected Network_editor
 protected:
   // with larger errors, in r, a spline that bends explains a corner as well
   static constexpr double least_noise_without_fits = 0.1;
-  // Where a corner turns much, the loss of a smooth course is at most this share of its loss, if it is not less by the
-  // margin: in a precise field, what one model misses twice as badly is an error of the model, not of the field.
-  static constexpr double most_of_loss = 0.5;
   static constexpr double length_of_joint = 8.; // of each curve, twice what a ball sees of it
   static constexpr double least_edge = 1.;      // nodes within what one point covers are no two corners
 

@@ -50,10 +50,7 @@ public:
   // A curve that touches another one was followed up to where the two are too close to be told apart, from both sides.
   void bridge_tangencies()
   {
-    Segment_grid grid;
-    for (std::size_t c = 0; c < m_network.curves.size(); ++c)
-      if (m_network.curves[c].is_alive)
-        grid.add(c, m_network.curves[c].points);
+    const Segment_grid grid = m_network.segments();
     const double reach = reach_of_contact + reach_of_contact_per_noise * m_options.noise;
     std::vector<Candidate> candidates;
     std::vector<Curve_end> ends;

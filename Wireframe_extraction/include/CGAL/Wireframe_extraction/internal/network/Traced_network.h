@@ -157,7 +157,7 @@ private:
       },
       [&] {
         if (is_smooth)
-          sharpen_bends(joiner, network, progress);
+          sharpen_bends(joiner, network, evidence, progress);
       },
       [&] {
         if (is_smooth)
@@ -179,26 +179,17 @@ private:
 
   void round_off(Curve_end_joiner& joiner, const Curve_network& network, Progress& progress) const
   {
-    const Segment_grid grid = grid_of(network);
+    const Segment_grid grid = network.segments();
     joiner.round_off(joint_fit(grid), gain_of_rounding * m_options.minimum_evidence, progress);
   }
 
-  void sharpen_bends(Curve_end_joiner& joiner, Curve_network& network, Progress& progress) const
+  void sharpen_bends(Curve_end_joiner& joiner, Curve_network& network, const Curve_evidence& evidence,
+                     Progress& progress) const
   {
-    const Segment_grid grid = grid_of(network);
-    const Curve_evidence evidence(m_band, m_contraction.noise, &progress);
+    const Segment_grid grid = network.segments();
     Bend_sharpener sharpener(network, m_joining, &progress);
     if (sharpener.run(joint_fit(grid), evidence, gain_of_rounding * m_options.minimum_evidence))
       joiner.join();
-  }
-
-  static Segment_grid grid_of(const Curve_network& network)
-  {
-    Segment_grid grid;
-    for (std::size_t c = 0; c < network.curves.size(); ++c)
-      if (network.curves[c].is_alive)
-        grid.add(c, network.curves[c].points);
-    return grid;
   }
 
   // makes a Joint_fit of polylines that meet at a center
