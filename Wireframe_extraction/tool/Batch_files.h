@@ -74,10 +74,7 @@ public:
       throw Error(USAGE_ERROR, m_summary.string() + ": is a folder, so the summary cannot be written there");
     if (!std::filesystem::is_regular_file(m_summary, code))
       return;
-    std::ifstream stream(m_summary);
-    std::string line;
-    std::getline(stream, line);
-    if (line != summary_header())
+    if (first_line(m_summary) != summary_header())
       throw Error(USAGE_ERROR,
                   m_summary.string()
                     + ": is there, and is not the summary of a batch; give "
@@ -90,10 +87,7 @@ public:
     std::error_code code;
     if (!has_index() || !std::filesystem::exists(index(), code))
       return;
-    std::ifstream stream(index());
-    std::string line;
-    std::getline(stream, line);
-    if (line != index_mark())
+    if (first_line(index()) != index_mark())
       throw Error(USAGE_ERROR,
                   index().string()
                     + ": is there, and is not the page of a batch; move it away, or give another --output-dir");
@@ -202,6 +196,14 @@ public:
   }
 
 private:
+  static std::string first_line(const std::filesystem::path& file)
+  {
+    std::ifstream stream(file);
+    std::string line;
+    std::getline(stream, line);
+    return line;
+  }
+
   const Batch_options& m_options;
   const Batch_list& m_list;
   const std::filesystem::path m_folder, m_own_folder, m_work_folder, m_summary;

@@ -378,14 +378,13 @@ private:
   {
     if (m_options.completion != Completion::NONE)
       return;
-    const bool is_configuration_wanted_only = m_options.has_configuration && m_app.count("--output") == 0
-      && m_app.count("--html") == 0 && m_app.count("--png") == 0 && m_app.count("--write-field") == 0;
-    if (m_app.count("CLOUD") == 0 && is_configuration_wanted_only)
-      return;
-    if (m_app.count("CLOUD") == 0)
+    bool has_output = false;
+    for (const char* const name : {"--output", "--html", "--png", "--write-field"})
+      has_output = has_output || m_app.count(name) > 0;
+    // a file of options may be all that is wanted
+    if (m_app.count("CLOUD") == 0 && (has_output || !m_options.has_configuration))
       throw CLI::RequiredError("CLOUD");
-    if (m_app.count("--output") == 0 && m_app.count("--html") == 0 && m_app.count("--png") == 0
-        && m_app.count("--write-field") == 0 && m_app.count("--write-config") == 0)
+    if (!has_output && !m_options.has_configuration)
       throw CLI::RequiredError("--output (or --html, or --png, or --write-field)");
   }
 

@@ -86,9 +86,7 @@ inline void write_index_row(std::ostream& stream, const std::string& cloud, cons
   write_index_number(stream, is_well, std::to_string(result.number_of_corners));
   write_index_number(stream, is_tried, csv_number(record.seconds, "%.2f"));
   write_index_number(stream, is_tried, csv_number(record.peak_megabytes, "%.0f"));
-  const auto as_it_is = [](const std::string& text) { return text; };
-  stream << "<td>" << in_html(!result.error.empty() ? result.error : joined(result.warnings, "; ", as_it_is))
-         << "</td><td>";
+  stream << "<td>" << in_html(!result.error.empty() ? result.error : joined(result.warnings, "; ")) << "</td><td>";
   for (const auto& output : record.outputs)
     stream << "<a href=\"" << address << '.' << in_address(output.first) << "\">" << in_html(output.first) << "</a> ";
   stream << "</td></tr>\n";

@@ -4,6 +4,7 @@
 #define EXTRACT_WIREFRAME_BATCH_SUMMARY_H
 
 #include "Batch_record.h"
+#include "joined.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -56,15 +57,6 @@ inline std::string csv_number(double value, const char* format)
   char text[40];
   std::snprintf(text, sizeof(text), format, value);
   return text;
-}
-
-template <class Names, class Text>
-std::string joined(const Names& names, const char* separator, const Text& text)
-{
-  std::string result;
-  for (const auto& name : names)
-    result += (result.empty() ? "" : separator) + text(name);
-  return result;
 }
 
 // `output_name` is the name of the outputs without their extensions

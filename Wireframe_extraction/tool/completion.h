@@ -3,6 +3,8 @@
 #ifndef EXTRACT_WIREFRAME_COMPLETION_H
 #define EXTRACT_WIREFRAME_COMPLETION_H
 
+#include "joined.h"
+
 #include <CLI/CLI.hpp>
 
 #include <sstream>
@@ -51,14 +53,6 @@ inline std::vector<std::string> names_of(const CLI::Option& option)
   for (const std::string& name : option.get_lnames())
     names.push_back("--" + name);
   return names;
-}
-
-inline std::string joined(const std::vector<std::string>& words, const std::string& separator)
-{
-  std::string text;
-  for (const std::string& word : words)
-    text += (text.empty() ? "" : separator) + word;
-  return text;
 }
 
 inline std::string bash_completion(const CLI::App& app)

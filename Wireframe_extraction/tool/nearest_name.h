@@ -37,11 +37,14 @@ inline std::string nearest_name(const std::string& text, const std::vector<std::
   std::string nearest;
   std::size_t least = text.size() / letters_per_error + 1;
   for (const std::string& name : names)
-    if (edit_distance(text, name) < least)
+  {
+    const std::size_t distance = edit_distance(text, name);
+    if (distance < least)
     {
-      least = edit_distance(text, name);
+      least = distance;
       nearest = name;
     }
+  }
   for (const std::string& name : names)
     if (nearest.empty() && text.size() > letters_per_error && name.compare(0, text.size(), text) == 0)
       nearest = name;

@@ -266,31 +266,32 @@ private:
 
   void write_summary() const
   {
-    std::string error;
-    const bool is_written = CGAL::IO::internal::write_beside_and_rename(
-      m_files.summary().string(),
-      [this](std::ostream& stream, std::string&) {
-        stream << summary_header() << '\n';
-        for (std::size_t i = m_begin; i < m_end; ++i)
-          write_row(stream, m_list.entry(i), m_list.output_name(i), m_statuses[i - m_begin], record_for_summary(i));
-        return static_cast<bool>(stream);
-      },
-      error);
-    if (!is_written)
-      throw Error(INTERNAL_ERROR, error);
+    replace(m_files.summary(), [this](std::ostream& stream) {
+      stream << summary_header() << '\n';
+      for (std::size_t i = m_begin; i < m_end; ++i)
+        write_row(stream, m_list.entry(i), m_list.output_name(i), m_statuses[i - m_begin], record_for_summary(i));
+    });
   }
 
   void write_index() const
   {
+    replace(m_files.index(), [this](std::ostream& stream) {
+      write_index_start(stream);
+      for (std::size_t i = m_begin; i < m_end; ++i)
+        write_index_row(stream, m_list.entry(i), m_list.output_name(i), m_statuses[i - m_begin], record_for_summary(i));
+      write_index_end(stream);
+    });
+  }
+
+  // writes a file as a whole, or leaves the one that is there
+  template <class Write>
+  static void replace(const std::filesystem::path& name, const Write& write)
+  {
     std::string error;
     const bool is_written = CGAL::IO::internal::write_beside_and_rename(
-      m_files.index().string(),
-      [this](std::ostream& stream, std::string&) {
-        write_index_start(stream);
-        for (std::size_t i = m_begin; i < m_end; ++i)
-          write_index_row(stream, m_list.entry(i), m_list.output_name(i), m_statuses[i - m_begin],
-                          record_for_summary(i));
-        write_index_end(stream);
+      name.string(),
+      [&write](std::ostream& stream, std::string&) {
+        write(stream);
         return static_cast<bool>(stream);
       },
       error);
