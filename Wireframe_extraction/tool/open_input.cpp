@@ -137,11 +137,7 @@ std::string why_no_file(const Input& input)
 
 } // namespace
 
-std::string Input::extension() const
-{
-  namespace io = CGAL::IO::internal;
-  return format.empty() ? io::lower_extension(files.front()) : (format[0] == '.' ? "" : ".") + io::to_lower(format);
-}
+std::string Input::extension() const { return CGAL::IO::internal::format_extension(format, files.front()); }
 
 std::unique_ptr<Input_cloud> open_input(const Input& input, std::string& error)
 {

@@ -95,7 +95,7 @@ std::string why_no_distances(const Input& input)
 {
   using CGAL::IO::internal::Mesh_format;
   const std::string& filename = input.files.front();
-  const Mesh_format format = CGAL::IO::internal::find_mesh_format("mesh" + input.extension());
+  const Mesh_format format = CGAL::IO::internal::find_mesh_format(input.extension());
   const bool is_mesh_only = format == Mesh_format::STL || format == Mesh_format::OBJ;
   if (!is_mesh_only || !(input.has_distances || input.names_distances()))
     return std::string();
@@ -107,7 +107,7 @@ std::string why_no_distances(const Input& input)
 
 bool is_mesh(const Input& input)
 {
-  const auto format = CGAL::IO::internal::find_mesh_format("mesh" + input.extension());
+  const auto format = CGAL::IO::internal::find_mesh_format(input.extension());
   return CGAL::IO::internal::look_at_mesh_file(input.files.front(), format).is_mesh;
 }
 
@@ -117,7 +117,7 @@ bool is_mesh_to_sample(const Input& input, bool is_once_only)
   if (input.are_patches || input.has_distances)
     return false;
   const std::string& filename = input.files.front();
-  const Mesh_format format = CGAL::IO::internal::find_mesh_format("mesh" + input.extension());
+  const Mesh_format format = CGAL::IO::internal::find_mesh_format(input.extension());
   if (input.mesh == Mesh_choice::CAD || format == Mesh_format::STL || format == Mesh_format::OBJ)
     return true;
   if (input.mesh == Mesh_choice::SCAN || is_once_only || format == Mesh_format::UNKNOWN || input.names_distances())
@@ -171,13 +171,7 @@ std::unique_ptr<Input_cloud> cloud_of_mesh(const internal::Polygon_soup& soup, c
 std::unique_ptr<Input_cloud> open_mesh(const Input& input, std::string& error)
 {
   internal::Polygon_soup soup;
-  const std::string& name = input.files.front();
-  std::ifstream stream;
-  const auto format = CGAL::IO::internal::find_mesh_format("mesh" + input.extension());
-  if (format == CGAL::IO::internal::Mesh_format::UNKNOWN)
-    error = CGAL::IO::internal::read_mesh_file(name, soup); // which says so
-  else if (CGAL::IO::internal::open_input_file(name, stream, error))
-    error = CGAL::IO::internal::read_mesh_stream(stream, format, name, soup);
+  error = CGAL::IO::internal::read_mesh_file(input.files.front(), input.extension(), soup);
   if (!error.empty())
     return std::make_unique<Cloud_in_memory>();
   return cloud_of_mesh(soup, input.files.front(), input, error);

@@ -56,18 +56,8 @@ public:
   ///     \cgalParamExtra{Of text without names, three columns have no distances, six neither if the last three look
   ///                     like a normal, and more neither if the fourth to the sixth look like a color.}
   ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{input_format}
-  ///     \cgalParamDescription{the extension that stands for the format of the file, with or without the dot}
-  ///     \cgalParamType{`std::string`}
-  ///     \cgalParamDefault{the extension of the file}
-  ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{coordinate_properties}
-  ///     \cgalParamDescription{the names of the properties or columns that hold x, y and z; of columns without
-  ///                           names, their numbers, counted from 1}
-  ///     \cgalParamType{`std::vector<std::string>` of three names, or none}
-  ///     \cgalParamDefault{`x`, `y` and `z`, else as ParaView writes them `Points:0`, `Points:1` and `Points:2`;
-  ///                       of columns without names, the first three}
-  ///   \cgalParamNEnd
+  ///   \wireframeParamInputFormat
+  ///   \wireframeParamCoordinateProperties
   ///   \cgalParamNBegin{distance_property}
   ///     \cgalParamDescription{the name of the property or column that holds the distances}
   ///     \cgalParamType{`std::string`}
@@ -84,12 +74,7 @@ public:
   ///     \cgalParamType{`std::string`}
   ///     \cgalParamDefault{what `distance_property` says}
   ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{clamp_negative}
-  ///     \cgalParamDescription{whether negative distances count as zero, as regressors predict them; one of more than
-  ///                           a tenth of the largest distance is an error}
-  ///     \cgalParamType{`bool`}
-  ///     \cgalParamDefault{`false`}
-  ///   \cgalParamNEnd
+  ///   \wireframeParamClampNegative
   ///   \wireframeParamSkipInvalidOfFile
   /// \cgalNamedParamsEnd
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -112,18 +97,8 @@ public:
   /// \param np an optional sequence of named parameters among the ones listed below
   ///
   /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{input_format}
-  ///     \cgalParamDescription{the extension that stands for the format of the file, with or without the dot}
-  ///     \cgalParamType{`std::string`}
-  ///     \cgalParamDefault{the extension of the file}
-  ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{coordinate_properties}
-  ///     \cgalParamDescription{the names of the properties or columns that hold x, y and z; of columns without
-  ///                           names, their numbers, counted from 1}
-  ///     \cgalParamType{`std::vector<std::string>` of three names, or none}
-  ///     \cgalParamDefault{`x`, `y` and `z`, else as ParaView writes them `Points:0`, `Points:1` and `Points:2`;
-  ///                       of columns without names, the first three}
-  ///   \cgalParamNEnd
+  ///   \wireframeParamInputFormat
+  ///   \wireframeParamCoordinateProperties
   ///   \cgalParamNBegin{points_dataset}
   ///     \cgalParamDescription{the name of the data set of HDF5, or the array of `.npz`, that holds the points}
   ///     \cgalParamType{`std::string`}
@@ -135,12 +110,7 @@ public:
   ///     \cgalParamDefault{the first that is there of `distance`, `distances`, `sharpness`, `scalar_distance`,
   ///                       `quality`}
   ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{clamp_negative}
-  ///     \cgalParamDescription{whether negative distances count as zero, as regressors predict them; one of more than
-  ///                           a tenth of the largest distance is an error}
-  ///     \cgalParamType{`bool`}
-  ///     \cgalParamDefault{`false`}
-  ///   \cgalParamNEnd
+  ///   \wireframeParamClampNegative
   ///   \wireframeParamSkipInvalidOfFile
   /// \cgalNamedParamsEnd
   template <typename CGAL_NP_TEMPLATE_PARAMETERS>

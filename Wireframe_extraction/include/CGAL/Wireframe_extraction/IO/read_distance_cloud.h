@@ -221,18 +221,8 @@ struct Is_iterator<T, std::void_t<typename std::iterator_traits<T>::iterator_cat
 ///   passed over
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{input_format}
-///     \cgalParamDescription{the extension that stands for the format of the file, with or without the dot}
-///     \cgalParamType{`std::string`}
-///     \cgalParamDefault{the extension of the file}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{coordinate_properties}
-///     \cgalParamDescription{the names of the properties or columns that hold x, y and z; of columns without names,
-///                           their numbers, counted from 1}
-///     \cgalParamType{`std::vector<std::string>` of three names, or none}
-///     \cgalParamDefault{`x`, `y` and `z`, else as ParaView writes them `Points:0`, `Points:1` and `Points:2`;
-///                       of columns without names, the first three}
-///   \cgalParamNEnd
+///   \wireframeParamInputFormat
+///   \wireframeParamCoordinateProperties
 ///   \cgalParamNBegin{distance_property}
 ///     \cgalParamDescription{the name of the property or column that holds the distances; of text without names,
 ///                           the number of the column, counted from 1}
@@ -253,12 +243,7 @@ struct Is_iterator<T, std::void_t<typename std::iterator_traits<T>::iterator_cat
 ///     \cgalParamType{`std::string`}
 ///     \cgalParamDefault{what `distance_property` says}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{clamp_negative}
-///     \cgalParamDescription{whether negative distances count as zero, as regressors predict them; one of more than
-///                           a tenth of the largest distance is an error}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`false`}
-///   \cgalParamNEnd
+///   \wireframeParamClampNegative
 ///   \wireframeParamSkipInvalidOfFile
 ///   \cgalParamNBegin{number_of_skipped}
 ///     \cgalParamDescription{receives the number of points that were left out}
@@ -306,18 +291,8 @@ bool read_distance_cloud(const std::string& filename, std::vector<std::pair<Poin
 /// \param np an optional sequence of named parameters among the ones listed below
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{input_format}
-///     \cgalParamDescription{the extension that stands for the format of the file, with or without the dot}
-///     \cgalParamType{`std::string`}
-///     \cgalParamDefault{the extension of the file}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{coordinate_properties}
-///     \cgalParamDescription{the names of the properties or columns that hold x, y and z; of columns without names,
-///                           their numbers, counted from 1}
-///     \cgalParamType{`std::vector<std::string>` of three names, or none}
-///     \cgalParamDefault{`x`, `y` and `z`, else as ParaView writes them `Points:0`, `Points:1` and `Points:2`;
-///                       of columns without names, the first three}
-///   \cgalParamNEnd
+///   \wireframeParamInputFormat
+///   \wireframeParamCoordinateProperties
 ///   \cgalParamNBegin{points_dataset}
 ///     \cgalParamDescription{the name of the data set of HDF5, or the array of `.npz`, that holds the points}
 ///     \cgalParamType{`std::string`}
@@ -329,12 +304,7 @@ bool read_distance_cloud(const std::string& filename, std::vector<std::pair<Poin
 ///     \cgalParamDefault{the first that is there of `distance`, `distances`, `sharpness`, `scalar_distance`,
 ///                       `quality`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{clamp_negative}
-///     \cgalParamDescription{whether negative distances count as zero, as regressors predict them; one of more than
-///                           a tenth of the largest distance is an error}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`false`}
-///   \cgalParamNEnd
+///   \wireframeParamClampNegative
 ///   \wireframeParamSkipInvalidOfFile
 ///   \cgalParamNBegin{number_of_skipped}
 ///     \cgalParamDescription{receives the number of points that were left out}

@@ -61,7 +61,7 @@ bool read_mesh(const std::string& filename, std::vector<Point>& points, std::vec
                const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   internal::Polygon_soup soup;
-  if (!internal::report(np, internal::read_mesh_file(filename, soup)))
+  if (!internal::report(np, internal::read_mesh_file(filename, internal::lower_extension(filename), soup)))
     return false;
   points.clear();
   for (const auto& p : soup.points)

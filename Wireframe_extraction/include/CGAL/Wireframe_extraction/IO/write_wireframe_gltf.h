@@ -15,7 +15,7 @@
 #include <CGAL/Wireframe_extraction/IO/internal/file/file_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/Plain_wireframe.h>
-#include <CGAL/Wireframe_extraction/IO/internal/wireframe/sampling_step.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/get_sampling.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/unit_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/write_gltf.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>

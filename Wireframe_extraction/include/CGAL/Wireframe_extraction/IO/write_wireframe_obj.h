@@ -14,7 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/Plain_wireframe.h>
-#include <CGAL/Wireframe_extraction/IO/internal/wireframe/sampling_step.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/get_sampling.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/write_obj.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/parameters.h>

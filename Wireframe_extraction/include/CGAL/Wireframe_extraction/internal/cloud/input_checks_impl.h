@@ -181,19 +181,21 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool check_scale(const Surveyed_cloud& cloud, c
 {
   std::ostringstream message;
   const bool has_distances = cloud.has_distances();
+  const std::string meaning = has_distances ? other_meaning(cloud, scale) : std::string();
+  const std::string gradient = has_distances ? other_gradient(scale) : std::string();
   if (has_distances && cloud.smallest_distance() == cloud.largest_distance())
     message << "all distances are " << cloud.smallest_distance() << ": this is no distance field; "
             << "give each point its own distance to the nearest sharp curve";
-  else if (has_distances && !other_meaning(cloud, scale).empty())
-    message << other_meaning(cloud, scale);
+  else if (!meaning.empty())
+    message << meaning;
   else if (has_distances && scale.slope > Input_limits::most_slope)
     message << "the distances do not fit the points: from point to point they change " << scale.slope
             << " times as much as the points are apart; are they in another unit?";
   else if (has_distances && scale.slope < Input_limits::least_slope)
     message << "the distances do not fit the points: from point to point they change only " << scale.slope
             << " times as much as the points are apart; are they in another unit?";
-  else if (has_distances && !other_gradient(scale).empty())
-    message << other_gradient(scale);
+  else if (!gradient.empty())
+    message << gradient;
   else if (!(given >= 0.) || !std::isfinite(given))
     message << "the sampling distance must be positive and finite, not " << given;
   else if (given > Input_limits::most_times_denser * scale.sampling_distance

@@ -25,7 +25,6 @@
 #include <cstdint>
 #include <limits>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace CGAL {
@@ -105,9 +104,9 @@ public:
   bool read(Array_file& file, Sample_sink& sink)
   {
     std::string name, note;
-    std::size_t distances_index;
+    std::size_t distances_index = file.names().size();
     m_has_distances = m_options.looks_for_distances() && find_distances(file, m_options, distances_index);
-    if (!find_points(file, name, note))
+    if (!find_points(file, distances_index, name, note))
       return false;
     Rows rows;
     if (find_rows(file, name, rows))
@@ -177,21 +176,15 @@ private:
   }
 
   // The name of the array of points: the one wanted, the usual one, or the only one that is there besides distances.
-  bool find_points(Array_file& file, std::string& name, std::string& note)
+  bool find_points(Array_file& file, std::size_t distances_index, std::string& name, std::string& note)
   {
     const std::string wanted = m_options.points_dataset.empty() ? "points" : m_options.points_dataset;
     const std::vector<std::string>& names = file.names();
     std::size_t index = find_name(names, wanted);
-    if (index == names.size() && m_options.points_dataset.empty())
+    if (index == names.size() && m_options.points_dataset.empty() && names.size() == (m_has_distances ? 2 : 1))
     {
-      std::size_t distances_index = names.size();
-      if (m_has_distances)
-        find_distances(file, m_options, distances_index);
-      if (names.size() == (m_has_distances ? 2 : 1))
-      {
-        index = distances_index == 0 ? 1 : 0;
-        note = std::string("the ") + file.word_for_array() + " " + quote(names[index]) + " is taken for the points";
-      }
+      index = m_has_distances && distances_index == 0 ? 1 : 0;
+      note = std::string("the ") + file.word_for_array() + " " + quote(names[index]) + " is taken for the points";
     }
     if (index == names.size())
       return fail(file.filename() + ": has no " + file.word_for_array() + " " + quote(wanted)
@@ -208,7 +201,7 @@ private:
       return choose_columns_by_name(filename, word, points, note);
     const bool is_shape_of_points = !points.is_ragged && (points.shape.size() == 2 || points.shape.size() == 3);
     m_number_of_columns = is_shape_of_points ? static_cast<std::size_t>(points.shape.back()) : 3;
-    const bool is_told = !m_options.coordinate_properties.empty() || number_of(m_options.distance_property) > 0;
+    const bool is_told = !m_options.coordinate_properties.empty() || column_number(m_options.distance_property) > 0;
     bool is_fine = false;
     if (points.is_ragged)
       is_fine =
@@ -229,19 +222,12 @@ private:
     return choose_columns_by_number(filename, note);
   }
 
-  // a number of a column, counted from 1; 0 if the text is none
-  static std::size_t number_of(const std::string& text)
-  {
-    std::size_t number = 0;
-    return parse_count(std::string_view(text), number) ? number : 0;
-  }
-
   bool choose_columns_by_number(const std::string& filename, std::string& note)
   {
     const std::vector<std::string>& wanted = m_options.coordinate_properties;
     for (std::size_t k = 0; k < wanted.size(); ++k)
     {
-      const std::size_t number = number_of(wanted[k]);
+      const std::size_t number = column_number(wanted[k]);
       if (number == 0 || number > m_number_of_columns)
         return fail(filename + ": no column is named " + quote(wanted[k])
                     + ", as the columns of its array are without "
@@ -249,7 +235,7 @@ private:
                     + std::to_string(m_number_of_columns) + " (coordinate_properties)");
       m_columns[k] = number - 1;
     }
-    const std::size_t number = number_of(m_options.distance_property);
+    const std::size_t number = column_number(m_options.distance_property);
     if (m_has_distances || !m_options.looks_for_distances())
       return true;
     m_has_distance_column = number > 0 ? number <= m_number_of_columns : m_number_of_columns == 4;

@@ -157,10 +157,8 @@ private:
   // of a column that is named by its number, counted from 1; as many as there are if it is none
   std::size_t column_of_number(const std::string& text) const
   {
-    std::size_t number = 0;
-    return parse_count(std::string_view(text), number) && number >= 1 && number <= m_number_of_columns
-      ? number - 1
-      : m_number_of_columns;
+    const std::size_t number = column_number(text);
+    return number >= 1 && number <= m_number_of_columns ? number - 1 : m_number_of_columns;
   }
 
   bool find_distance_column(const std::vector<std::string_view>& fields)

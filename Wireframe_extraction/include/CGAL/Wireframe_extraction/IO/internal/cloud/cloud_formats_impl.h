@@ -48,7 +48,7 @@ enum class Cloud_format
 };
 
 CGAL_WIREFRAME_EXTRACTION_INLINE
-Cloud_format find_cloud_format(const std::string& filename)
+Cloud_format find_cloud_format(const std::string& extension)
 {
   static const struct
   {
@@ -58,7 +58,6 @@ Cloud_format find_cloud_format(const std::string& filename)
                  {".csv", Cloud_format::TEXT}, {".asc", Cloud_format::TEXT}, {".pts", Cloud_format::TEXT},
                  {".pcd", Cloud_format::PCD},  {".off", Cloud_format::OFF},  {".npy", Cloud_format::NPY},
                  {".npz", Cloud_format::NPZ},  {".h5", Cloud_format::HDF5},  {".hdf5", Cloud_format::HDF5}};
-  const std::string extension = lower_extension(filename);
   for (const auto& known : formats)
     if (extension == known.extension)
       return known.format;
@@ -147,10 +146,8 @@ CGAL_WIREFRAME_EXTRACTION_INLINE
 std::string read_cloud(const std::string& filename, const Cloud_reader_options& options,
                        const Cloud_libraries& libraries, Sample_sink& sink, std::size_t& number_of_skipped)
 {
-  const std::string extension = options.format.empty()
-    ? lower_extension(filename)
-    : (options.format[0] == '.' ? "" : ".") + to_lower(options.format);
-  const Cloud_format format = find_cloud_format("cloud" + extension);
+  const std::string extension = format_extension(options.format, filename);
+  const Cloud_format format = find_cloud_format(extension);
   for (const char* const other : {".las", ".laz", ".e57"})
     if (extension == other)
       return filename + ": " + extension + " is not read; convert it to .ply, by CloudCompare or "
@@ -170,8 +167,7 @@ std::string read_cloud_stream(std::istream& stream, const std::string& extension
                               const Cloud_libraries& libraries, Sample_sink& sink, std::size_t& number_of_skipped)
 {
   const std::string name = "the stream";
-  const Cloud_format format =
-    find_cloud_format("cloud" + std::string(starts_with(extension, ".") ? "" : ".") + extension);
+  const Cloud_format format = find_cloud_format(format_extension(extension, name));
   if (format == Cloud_format::UNKNOWN || format == Cloud_format::HDF5)
     return name + ": unknown format " + quote(extension)
       + " of a stream; known are ply, pcd, off, npy, npz and xyz, txt, csv, asc, pts (text)";
@@ -188,7 +184,7 @@ std::string read_distances_file(const std::string& filename, const Cloud_reader_
   std::string error;
   if (!open_input_file(filename, stream, error))
     return error;
-  const Cloud_format format = find_cloud_format(filename);
+  const Cloud_format format = find_cloud_format(lower_extension(filename));
   if (format != Cloud_format::NPY && format != Cloud_format::NPZ && format != Cloud_format::HDF5)
   {
     read_separate_distances(stream, filename, distances, error);

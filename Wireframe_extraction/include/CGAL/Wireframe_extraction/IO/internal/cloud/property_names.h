@@ -64,6 +64,13 @@ inline std::size_t find_distance_name(const std::vector<std::string>& names, con
   return names.size();
 }
 
+// the number of a column, counted from 1, where columns have no names; 0 if the text is none
+inline std::size_t column_number(const std::string& text)
+{
+  std::size_t number = 0;
+  return parse_count(text, number) ? number : 0;
+}
+
 // index of x, y or z (`k` is 0, 1 or 2): of the name that is wanted, if one is, else also as ParaView calls them
 inline std::size_t find_coordinate_name(const std::vector<std::string>& names, std::size_t k,
                                         const std::vector<std::string>& wanted = std::vector<std::string>())

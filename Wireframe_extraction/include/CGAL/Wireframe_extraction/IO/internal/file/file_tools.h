@@ -84,6 +84,13 @@ inline std::string lower_extension(const std::string& filename)
   return to_lower(std::filesystem::path(filename).extension().string());
 }
 
+// The extension that stands for a format, in lower case and with its dot: the one that is given, with or without the
+// dot, else that of the file.
+inline std::string format_extension(const std::string& format, const std::string& filename)
+{
+  return lower_extension(format.empty() ? filename : (format[0] == '.' ? "name" : "name.") + format);
+}
+
 // whether files with this extension, in lower case, are written by OpenCASCADE
 inline bool is_cad_extension(std::string_view extension)
 {

@@ -33,8 +33,8 @@ enum class Mesh_format
   UNKNOWN
 };
 
-// by the extension
-Mesh_format find_mesh_format(const std::string& filename);
+// by the extension, in lower case and with its dot
+Mesh_format find_mesh_format(const std::string& extension);
 
 // What a file is for who wants a mesh.
 struct Mesh_file_content
@@ -46,8 +46,9 @@ struct Mesh_file_content
 // Looks at the beginning of a file; of what cannot be read, nothing is known.
 Mesh_file_content look_at_mesh_file(const std::string& filename, Mesh_format format);
 
-// Reads the vertices and faces of a file. Returns what is wrong, where, and what helps; nothing if all went well.
-std::string read_mesh_file(const std::string& filename, Polygon_soup& soup);
+// Reads the vertices and faces of a file, whose format is what this extension stands for. Returns what is wrong, where,
+// and what helps; nothing if all went well.
+std::string read_mesh_file(const std::string& filename, const std::string& extension, Polygon_soup& soup);
 
 // The same out of a stream. `name` is for messages.
 std::string read_mesh_stream(std::istream& stream, Mesh_format format, const std::string& name, Polygon_soup& soup);

@@ -35,9 +35,8 @@ namespace CGAL {
 namespace IO {
 namespace internal {
 
-CGAL_WIREFRAME_EXTRACTION_INLINE Mesh_format find_mesh_format(const std::string& filename)
+CGAL_WIREFRAME_EXTRACTION_INLINE Mesh_format find_mesh_format(const std::string& extension)
 {
-  const std::string extension = lower_extension(filename);
   return extension == ".stl" ? Mesh_format::STL
     : extension == ".obj"    ? Mesh_format::OBJ
     : extension == ".off"    ? Mesh_format::OFF
@@ -125,9 +124,10 @@ CGAL_WIREFRAME_EXTRACTION_INLINE std::string read_mesh_stream(std::istream& stre
   }
 }
 
-CGAL_WIREFRAME_EXTRACTION_INLINE std::string read_mesh_file(const std::string& filename, Polygon_soup& soup)
+CGAL_WIREFRAME_EXTRACTION_INLINE std::string read_mesh_file(const std::string& filename, const std::string& extension,
+                                                            Polygon_soup& soup)
 {
-  const Mesh_format format = find_mesh_format(filename);
+  const Mesh_format format = find_mesh_format(extension);
   if (format == Mesh_format::UNKNOWN)
     return filename + ": unknown extension " + quote(lower_extension(filename))
       + " of a mesh; known are .stl .obj .off .ply";

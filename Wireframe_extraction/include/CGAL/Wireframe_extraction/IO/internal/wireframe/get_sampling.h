@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_SAMPLING_STEP_H
-#define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_SAMPLING_STEP_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_GET_SAMPLING_H
+#define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_GET_SAMPLING_H
 
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/Curve_sampling.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
@@ -46,4 +46,4 @@ Curve_sampling get_sampling(const NamedParameters& np)
 } // namespace IO
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_SAMPLING_STEP_H
+#endif // CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_GET_SAMPLING_H
