@@ -1,9 +1,9 @@
 // What fits to creases of the surface and curves along them promise, on folded sheets that are known in closed form.
 
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
-#include <CGAL/Wireframe_extraction/internal/field/Crease_fit.h>
-#include <CGAL/Wireframe_extraction/internal/field/Crease_tracer.h>
-#include <CGAL/Wireframe_extraction/internal/field/Field_refinement.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Crease_fit.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Crease_tracer.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Field_refinement.h>
 
 #include <algorithm>
 #include <cassert>

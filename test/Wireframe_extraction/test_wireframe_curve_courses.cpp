@@ -1,7 +1,7 @@
 // No line, circle or ellipse leaves the points that it stands for, along its whole length; and
 // cancelling the recognition.
 
-#include <CGAL/Wireframe_extraction/internal/field/complete_band.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/complete_band.h>
 #include <CGAL/Wireframe_extraction/internal/types/Primitive_course.h>
 #include <CGAL/Wireframe_extraction/internal/types/recognize_pieces.h>
 

@@ -4,9 +4,9 @@
 
 #include <CGAL/Wireframe_extraction/internal/base/different_positions.h>
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
-#include <CGAL/Wireframe_extraction/internal/field/polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_end_joiner.h>
 #include <CGAL/Wireframe_extraction/internal/network/Surface_evidence.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/types/Primitive_curve.h>
 
 #include <algorithm>

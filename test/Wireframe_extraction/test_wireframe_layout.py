@@ -20,7 +20,7 @@ LAYERS = (
     ("internal/base",),
     ("internal/options", "internal/spline", "IO/internal/file"),
     ("internal/cloud", "internal/mesh", "IO/internal/cloud", "IO/internal/wireframe"),
-    ("internal/estimate", "internal/field", "IO/internal/mesh"),
+    ("internal/estimate", "internal/skeleton", "IO/internal/mesh"),
     ("internal/fit", "IO"),
     ("internal/network", "internal/types"),
     ("internal/pipeline",),
@@ -348,8 +348,8 @@ class Planted_test(unittest.TestCase):
         self.assertEqual([], Library(self.root).problems())
 
     def test_rising(self):
-        for low, high in (("base", "options"), ("options", "cloud"), ("spline", "field"), ("cloud", "field"),
-                          ("field", "fit"), ("fit", "network"), ("fit", "types"), ("network", "pipeline")):
+        for low, high in (("base", "options"), ("options", "cloud"), ("spline", "skeleton"), ("cloud", "skeleton"),
+                          ("skeleton", "fit"), ("fit", "network"), ("fit", "types"), ("network", "pipeline")):
             with self.subTest(low=low):
                 self.plant(f"internal/{high}/planted.h")
                 self.plant(f"internal/{low}/Planted.h", f"Wireframe_extraction/internal/{high}/planted.h")
@@ -375,9 +375,9 @@ class Planted_test(unittest.TestCase):
         self.plant("Planted.h", "Wireframe_extraction/Hidden.h")
         self.plant("Hidden.h", "Wireframe_extraction/internal/fit/planted.h")
         self.plant("internal/fit/planted.h")
-        self.plant("internal/field/planted.h", "Wireframe_extraction/Planted.h")
+        self.plant("internal/skeleton/planted.h", "Wireframe_extraction/Planted.h")
         self.plant("internal/types/planted.h", "Wireframe_extraction/Planted.h")   # is above
-        self.check_found("internal/field/planted.h:3", "of internal/fit")
+        self.check_found("internal/skeleton/planted.h:3", "of internal/fit")
         self.assertEqual(1, len(Library(self.root).problems()))
 
     def test_files_in_the_method(self):

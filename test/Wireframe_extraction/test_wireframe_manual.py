@@ -26,8 +26,8 @@ OPTIONS = HEADERS / "Wireframe_extraction/internal/options/Extraction_options.h"
 PARAMETER_LIST = HEADERS / "Wireframe_extraction/internal/options/parameters_interface.h"
 DOXYFILE = PAGES / "Doxyfile.in"
 # where the stages read their parameters, besides their own headers
-STAGES = {"select_skeleton.h": ("field/select_skeleton_impl.h",), "contract_skeleton.h": ("field/contract_impl.h",),
-          "refine_field.h": ("field/refine_impl.h",), "detect_corners.h": ("network/corner_groups_impl.h",),
+STAGES = {"select_skeleton.h": ("skeleton/select_skeleton_impl.h",), "contract_skeleton.h": ("skeleton/contract_impl.h",),
+          "refine_field.h": ("skeleton/refine_impl.h",), "detect_corners.h": ("network/corner_groups_impl.h",),
           "segment_curves.h": ("network/clusters_impl.h",), "recognize_curve_types.h": ("types/recognize_pieces_impl.h",),
           "find_doubts.h": ("pipeline/find_doubts_impl.h",),
           "fit_curves.h": ("fit/fit_network_impl.h", "fit/Spline_network_fit.h"),

@@ -2,9 +2,6 @@
 // fields that are known in closed form.
 
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
-#include <CGAL/Wireframe_extraction/internal/field/complete_band.h>
-#include <CGAL/Wireframe_extraction/internal/field/contract.h>
-#include <CGAL/Wireframe_extraction/internal/field/polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/fit/fit_network.h>
 #include <CGAL/Wireframe_extraction/internal/network/Bend_sharpener.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_end_joiner.h>
@@ -12,6 +9,9 @@
 #include <CGAL/Wireframe_extraction/internal/network/Curve_tracer.h>
 #include <CGAL/Wireframe_extraction/internal/network/Joint_fit.h>
 #include <CGAL/Wireframe_extraction/internal/network/build_network.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/complete_band.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/contract.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/polyline_feet.h>
 
 #include <algorithm>
 #include <cassert>

@@ -4,7 +4,7 @@
 #define DRAWN_CURVES_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
-#include <CGAL/Wireframe_extraction/internal/field/Traced_curve.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Traced_curve.h>
 
 #include <cstddef>
 #include <vector>

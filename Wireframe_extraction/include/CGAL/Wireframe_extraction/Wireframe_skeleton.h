@@ -13,7 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_WIREFRAME_SKELETON_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
-#include <CGAL/Wireframe_extraction/internal/field/Skeleton_data.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Skeleton_data.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>

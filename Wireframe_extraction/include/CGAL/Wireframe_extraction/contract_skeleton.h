@@ -14,8 +14,8 @@
 
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
-#include <CGAL/Wireframe_extraction/internal/field/contract.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/contract.h>
 
 #include <functional>
 

@@ -16,12 +16,12 @@
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
-#include <CGAL/Wireframe_extraction/internal/field/polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/fit/Cubic_spline.h>
 #include <CGAL/Wireframe_extraction/internal/fit/Fitted_curve.h>
 #include <CGAL/Wireframe_extraction/internal/fit/ceres_support.h>
 #include <CGAL/Wireframe_extraction/internal/fit/spline_residuals.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/polyline_feet.h>
 
 #include <Eigen/Geometry>
 #include <boost/pending/disjoint_sets.hpp>

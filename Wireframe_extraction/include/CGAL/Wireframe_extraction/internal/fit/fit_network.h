@@ -14,9 +14,9 @@
 
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
-#include <CGAL/Wireframe_extraction/internal/field/Skeleton_data.h>
 #include <CGAL/Wireframe_extraction/internal/fit/Fitted_curve.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Skeleton_data.h>
 
 #include <functional>
 #include <vector>

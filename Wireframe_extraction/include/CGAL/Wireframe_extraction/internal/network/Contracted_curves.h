@@ -12,10 +12,10 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CONTRACTED_CURVES_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CONTRACTED_CURVES_H
 
-#include <CGAL/Wireframe_extraction/internal/field/Contraction.h>
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
-#include <CGAL/Wireframe_extraction/internal/field/Local_curve.h>
-#include <CGAL/Wireframe_extraction/internal/field/distinct_curves.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Contraction.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Local_curve.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/distinct_curves.h>
 
 #include <cmath>
 #include <cstddef>

@@ -14,8 +14,8 @@
 
 #include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
-#include <CGAL/Wireframe_extraction/internal/field/polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_network.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/polyline_feet.h>
 
 #include <CGAL/number_utils.h>
 

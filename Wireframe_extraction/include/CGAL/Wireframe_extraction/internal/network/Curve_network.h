@@ -15,7 +15,7 @@
 #include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
-#include <CGAL/Wireframe_extraction/internal/field/Traced_curve.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Traced_curve.h>
 
 #include <array>
 #include <cstddef>

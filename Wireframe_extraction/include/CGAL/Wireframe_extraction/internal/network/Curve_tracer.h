@@ -15,15 +15,15 @@
 #include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
-#include <CGAL/Wireframe_extraction/internal/field/Contraction.h>
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
-#include <CGAL/Wireframe_extraction/internal/field/Following.h>
-#include <CGAL/Wireframe_extraction/internal/field/Local_curve_fit.h>
-#include <CGAL/Wireframe_extraction/internal/field/Traced_curve.h>
-#include <CGAL/Wireframe_extraction/internal/field/fronts.h>
 #include <CGAL/Wireframe_extraction/internal/network/Contracted_curves.h>
 #include <CGAL/Wireframe_extraction/internal/network/Field_explanation.h>
 #include <CGAL/Wireframe_extraction/internal/network/Tracing_options.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Contraction.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Following.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Local_curve_fit.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Traced_curve.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/fronts.h>
 
 #include <algorithm>
 #include <cmath>

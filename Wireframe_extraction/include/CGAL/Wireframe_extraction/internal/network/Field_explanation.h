@@ -14,7 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Field_band.h>
 
 #include <algorithm>
 #include <cmath>

@@ -16,11 +16,11 @@
 #include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
 #include <CGAL/Wireframe_extraction/internal/fit/Spline_network_fit.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_evidence.h>
 #include <CGAL/Wireframe_extraction/internal/network/Joint_course.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Field_band.h>
 
 #include <algorithm>
 #include <cmath>

@@ -15,7 +15,7 @@
 #include <CGAL/Wireframe_extraction/internal/base/Symmetric_factorization.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
 #include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
-#include <CGAL/Wireframe_extraction/internal/field/polyline_feet.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/polyline_feet.h>
 
 #include <CGAL/number_utils.h>
 

@@ -15,8 +15,6 @@
 #include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
-#include <CGAL/Wireframe_extraction/internal/field/Contraction.h>
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
 #include <CGAL/Wireframe_extraction/internal/fit/Spline_network_fit.h>
 #include <CGAL/Wireframe_extraction/internal/network/Bend_sharpener.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_end_joiner.h>
@@ -27,6 +25,8 @@
 #include <CGAL/Wireframe_extraction/internal/network/Surface_evidence.h>
 #include <CGAL/Wireframe_extraction/internal/network/Tracing_options.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Contraction.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Field_band.h>
 
 #include <algorithm>
 #include <cmath>

@@ -12,8 +12,8 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_TRACING_OPTIONS_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_TRACING_OPTIONS_H
 
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
-#include <CGAL/Wireframe_extraction/internal/field/Following.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Following.h>
 
 #include <algorithm>
 #include <cstddef>

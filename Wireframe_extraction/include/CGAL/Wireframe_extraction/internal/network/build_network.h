@@ -13,10 +13,10 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_BUILD_NETWORK_H
 
 #include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
-#include <CGAL/Wireframe_extraction/internal/field/Skeleton_data.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_network.h>
 #include <CGAL/Wireframe_extraction/internal/network/corner_groups.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Skeleton_data.h>
 
 #include <cstddef>
 #include <functional>

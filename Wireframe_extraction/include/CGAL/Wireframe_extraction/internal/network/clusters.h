@@ -13,8 +13,8 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CLUSTERS_H
 
 #include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
-#include <CGAL/Wireframe_extraction/internal/field/Skeleton_data.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Skeleton_data.h>
 
 #include <cstddef>
 #include <functional>

@@ -14,8 +14,8 @@
 
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
-#include <CGAL/Wireframe_extraction/internal/field/Skeleton_data.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Skeleton_data.h>
 
 #include <cstddef>
 #include <functional>

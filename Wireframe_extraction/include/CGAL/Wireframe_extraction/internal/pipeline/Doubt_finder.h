@@ -19,10 +19,10 @@
 #include <CGAL/Wireframe_extraction/internal/base/error_rates.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
-#include <CGAL/Wireframe_extraction/internal/field/Skeleton_data.h>
-#include <CGAL/Wireframe_extraction/internal/field/polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/network/Surface_evidence.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Skeleton_data.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/polyline_feet.h>
 
 #include <algorithm>
 #include <cmath>

@@ -22,9 +22,6 @@
 #include <CGAL/Wireframe_extraction/internal/base/Plain_traits.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/input_checks.h>
-#include <CGAL/Wireframe_extraction/internal/field/contract.h>
-#include <CGAL/Wireframe_extraction/internal/field/refine.h>
-#include <CGAL/Wireframe_extraction/internal/field/select_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/fit/fit.h>
 #include <CGAL/Wireframe_extraction/internal/network/build_graph.h>
 #include <CGAL/Wireframe_extraction/internal/network/detect_corners.h>
@@ -39,6 +36,9 @@
 #include <CGAL/Wireframe_extraction/internal/pipeline/find_doubts.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/find_unit.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/stage_reports.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/contract.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/refine.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/select_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/types/recognize.h>
 
 #include <CGAL/Real_timer.h>

@@ -15,8 +15,8 @@
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/internal/base/Plain_traits.h>
 #include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
-#include <CGAL/Wireframe_extraction/internal/field/Skeleton_data.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Skeleton_data.h>
 
 #include <functional>
 

@@ -16,12 +16,12 @@
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/input_checks.h>
-#include <CGAL/Wireframe_extraction/internal/field/Skeleton_data.h>
-#include <CGAL/Wireframe_extraction/internal/field/select_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
 #include <CGAL/Wireframe_extraction/internal/options/points_in_memory.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/survey_for_stage.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Skeleton_data.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/select_skeleton.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 namespace CGAL {

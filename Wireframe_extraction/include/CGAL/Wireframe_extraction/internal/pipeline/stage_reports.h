@@ -14,7 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
-#include <CGAL/Wireframe_extraction/internal/field/Skeleton_data.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Skeleton_data.h>
 
 #include <CGAL/number_utils.h>
 

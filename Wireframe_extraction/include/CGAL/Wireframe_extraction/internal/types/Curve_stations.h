@@ -13,8 +13,8 @@
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_CURVE_STATIONS_H
 
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
-#include <CGAL/Wireframe_extraction/internal/field/polyline_feet.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/polyline_feet.h>
 
 #include <Eigen/Geometry>
 

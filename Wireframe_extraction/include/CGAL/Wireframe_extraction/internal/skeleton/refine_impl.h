@@ -9,13 +9,13 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_REFINE_IMPL_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_REFINE_IMPL_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_REFINE_IMPL_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_REFINE_IMPL_H
 
-#include <CGAL/Wireframe_extraction/internal/field/Field_refinement.h>
-#include <CGAL/Wireframe_extraction/internal/field/complete_band.h>
-#include <CGAL/Wireframe_extraction/internal/field/contract.h>
-#include <CGAL/Wireframe_extraction/internal/field/refine.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Field_refinement.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/complete_band.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/contract.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/refine.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -86,4 +86,4 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool refine(Skeleton_data& skeleton, const Extr
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_REFINE_IMPL_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_REFINE_IMPL_H

@@ -9,14 +9,14 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_LOCAL_CURVE_STEP_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_LOCAL_CURVE_STEP_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_LOCAL_CURVE_STEP_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_LOCAL_CURVE_STEP_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Symmetric_factorization.h>
 #include <CGAL/Wireframe_extraction/internal/base/error_rates.h>
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
-#include <CGAL/Wireframe_extraction/internal/field/Local_curve.h>
-#include <CGAL/Wireframe_extraction/internal/field/Section_sums.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Local_curve.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Section_sums.h>
 
 #include <Eigen/Geometry>
 
@@ -110,4 +110,4 @@ inline double improve(Local_curve& curve, const std::vector<Local_curve_sample>&
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_LOCAL_CURVE_STEP_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_LOCAL_CURVE_STEP_H

@@ -9,7 +9,7 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#include <CGAL/Wireframe_extraction/internal/field/complete_band_impl.h>
-#include <CGAL/Wireframe_extraction/internal/field/contract_impl.h>
-#include <CGAL/Wireframe_extraction/internal/field/refine_impl.h>
-#include <CGAL/Wireframe_extraction/internal/field/select_skeleton_impl.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/complete_band_impl.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/contract_impl.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/refine_impl.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/select_skeleton_impl.h>

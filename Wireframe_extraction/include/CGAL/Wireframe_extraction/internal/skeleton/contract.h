@@ -9,12 +9,12 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CONTRACT_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CONTRACT_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_CONTRACT_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_CONTRACT_H
 
 #include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
-#include <CGAL/Wireframe_extraction/internal/field/Skeleton_data.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Skeleton_data.h>
 
 #include <functional>
 
@@ -33,7 +33,7 @@ bool contract(Skeleton_data& skeleton, const Extraction_options& options, const 
 } // namespace CGAL
 
 #ifdef CGAL_WIREFRAME_EXTRACTION_HEADER_ONLY
-#include <CGAL/Wireframe_extraction/internal/field/contract_impl.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/contract_impl.h>
 #endif
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CONTRACT_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_CONTRACT_H

@@ -9,16 +9,16 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_SEVERAL_CURVES_CONTRACTION_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_SEVERAL_CURVES_CONTRACTION_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_SEVERAL_CURVES_CONTRACTION_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_SEVERAL_CURVES_CONTRACTION_H
 
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
-#include <CGAL/Wireframe_extraction/internal/field/Contraction.h>
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
-#include <CGAL/Wireframe_extraction/internal/field/Several_curves_fit.h>
-#include <CGAL/Wireframe_extraction/internal/field/distinct_curves.h>
-#include <CGAL/Wireframe_extraction/internal/field/orient.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Contraction.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Several_curves_fit.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/distinct_curves.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/orient.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -146,4 +146,4 @@ private:
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_SEVERAL_CURVES_CONTRACTION_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_SEVERAL_CURVES_CONTRACTION_H

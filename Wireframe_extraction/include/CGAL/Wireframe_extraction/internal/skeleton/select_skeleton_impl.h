@@ -9,15 +9,15 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_SELECT_SKELETON_IMPL_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_SELECT_SKELETON_IMPL_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_SELECT_SKELETON_IMPL_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_SELECT_SKELETON_IMPL_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/cell_key.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Cloud_scale.h>
-#include <CGAL/Wireframe_extraction/internal/field/complete_band.h>
-#include <CGAL/Wireframe_extraction/internal/field/select_skeleton.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/complete_band.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/select_skeleton.h>
 
 #include <algorithm>
 #include <cmath>
@@ -139,4 +139,4 @@ CGAL_WIREFRAME_EXTRACTION_INLINE void select_surroundings(const Surveyed_cloud& 
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_SELECT_SKELETON_IMPL_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_SELECT_SKELETON_IMPL_H

@@ -9,15 +9,15 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CONTRACT_IMPL_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CONTRACT_IMPL_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_CONTRACT_IMPL_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_CONTRACT_IMPL_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
-#include <CGAL/Wireframe_extraction/internal/field/Local_curve_fit.h>
-#include <CGAL/Wireframe_extraction/internal/field/Several_curves_contraction.h>
-#include <CGAL/Wireframe_extraction/internal/field/contract.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Local_curve_fit.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Several_curves_contraction.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/contract.h>
 
 #include <algorithm>
 #include <cmath>
@@ -91,4 +91,4 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool contract(Skeleton_data& skeleton, const Ex
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CONTRACT_IMPL_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_CONTRACT_IMPL_H

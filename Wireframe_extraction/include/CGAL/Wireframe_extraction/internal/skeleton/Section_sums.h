@@ -8,8 +8,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Wireframe_extraction authors
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_SECTION_SUMS_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_SECTION_SUMS_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_SECTION_SUMS_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_SECTION_SUMS_H
 
 namespace CGAL {
 namespace Wireframe_extraction {
@@ -66,4 +66,4 @@ struct Section_sums
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_SECTION_SUMS_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_SECTION_SUMS_H

@@ -9,13 +9,13 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_LOCAL_CURVE_FIT_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_LOCAL_CURVE_FIT_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_LOCAL_CURVE_FIT_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_LOCAL_CURVE_FIT_H
 
 #include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
-#include <CGAL/Wireframe_extraction/internal/field/Local_curve.h>
-#include <CGAL/Wireframe_extraction/internal/field/local_curve_step.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Local_curve.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/local_curve_step.h>
 
 #include <Eigen/Geometry>
 
@@ -228,4 +228,4 @@ private:
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_LOCAL_CURVE_FIT_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_LOCAL_CURVE_FIT_H

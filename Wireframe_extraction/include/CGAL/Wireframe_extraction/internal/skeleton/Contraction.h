@@ -9,11 +9,11 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CONTRACTION_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CONTRACTION_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_CONTRACTION_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_CONTRACTION_H
 
-#include <CGAL/Wireframe_extraction/internal/field/Local_curve.h>
-#include <CGAL/Wireframe_extraction/internal/field/Traced_curve.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Local_curve.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Traced_curve.h>
 
 #include <vector>
 
@@ -42,4 +42,4 @@ struct Contraction
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CONTRACTION_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_CONTRACTION_H

@@ -9,11 +9,11 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_DISTINCT_CURVES_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_DISTINCT_CURVES_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_DISTINCT_CURVES_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_DISTINCT_CURVES_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
-#include <CGAL/Wireframe_extraction/internal/field/Local_curve.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Local_curve.h>
 
 #include <algorithm>
 #include <cmath>
@@ -65,4 +65,4 @@ inline std::vector<Local_curve> distinct_curves(const std::vector<Local_curve>& 
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_DISTINCT_CURVES_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_DISTINCT_CURVES_H

@@ -9,14 +9,14 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_SEVERAL_CURVES_FIT_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_SEVERAL_CURVES_FIT_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_SEVERAL_CURVES_FIT_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_SEVERAL_CURVES_FIT_H
 
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
-#include <CGAL/Wireframe_extraction/internal/field/Local_curve.h>
-#include <CGAL/Wireframe_extraction/internal/field/Local_curve_fit.h>
-#include <CGAL/Wireframe_extraction/internal/field/distinct_curves.h>
-#include <CGAL/Wireframe_extraction/internal/field/local_curve_step.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Local_curve.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Local_curve_fit.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/distinct_curves.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/local_curve_step.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -316,4 +316,4 @@ private:
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_SEVERAL_CURVES_FIT_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_SEVERAL_CURVES_FIT_H

@@ -9,12 +9,12 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_COMPLETE_BAND_IMPL_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_COMPLETE_BAND_IMPL_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_COMPLETE_BAND_IMPL_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_COMPLETE_BAND_IMPL_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/different_positions.h>
-#include <CGAL/Wireframe_extraction/internal/field/complete_band.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/complete_band.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -67,4 +67,4 @@ CGAL_WIREFRAME_EXTRACTION_INLINE std::size_t complete_band(Field_band& band, dou
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_COMPLETE_BAND_IMPL_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_COMPLETE_BAND_IMPL_H

@@ -8,16 +8,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Wireframe_extraction authors
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_FIELD_REFINEMENT_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_FIELD_REFINEMENT_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_FIELD_REFINEMENT_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_FIELD_REFINEMENT_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Ball_search.h>
 #include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
 #include <CGAL/Wireframe_extraction/internal/base/error_rates.h>
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
-#include <CGAL/Wireframe_extraction/internal/field/Contraction.h>
-#include <CGAL/Wireframe_extraction/internal/field/Crease_tracer.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Contraction.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Crease_tracer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -410,4 +410,4 @@ private:
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_FIELD_REFINEMENT_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_FIELD_REFINEMENT_H

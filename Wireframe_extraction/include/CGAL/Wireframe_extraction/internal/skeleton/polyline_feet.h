@@ -9,13 +9,13 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_POLYLINE_FEET_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_POLYLINE_FEET_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_POLYLINE_FEET_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_POLYLINE_FEET_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/for_each_piece.h>
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Field_band.h>
 
 #include <algorithm>
 #include <cmath>
@@ -168,4 +168,4 @@ inline std::vector<const std::vector<Vector>*> pointers_to(const std::vector<std
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_POLYLINE_FEET_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_POLYLINE_FEET_H

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_LOCAL_CURVE_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_LOCAL_CURVE_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_LOCAL_CURVE_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_LOCAL_CURVE_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 
@@ -49,4 +49,4 @@ struct Local_curve
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_LOCAL_CURVE_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_LOCAL_CURVE_H

@@ -8,17 +8,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Wireframe_extraction authors
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CREASE_TRACER_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CREASE_TRACER_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_CREASE_TRACER_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_CREASE_TRACER_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/error_rates.h>
-#include <CGAL/Wireframe_extraction/internal/field/Crease_fit.h>
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
-#include <CGAL/Wireframe_extraction/internal/field/Following.h>
-#include <CGAL/Wireframe_extraction/internal/field/Traced_curve.h>
-#include <CGAL/Wireframe_extraction/internal/field/fronts.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Crease_fit.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Following.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Traced_curve.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/fronts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -287,4 +287,4 @@ private:
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CREASE_TRACER_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_CREASE_TRACER_H

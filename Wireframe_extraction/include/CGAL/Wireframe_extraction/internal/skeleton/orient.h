@@ -9,12 +9,12 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_ORIENT_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_ORIENT_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_ORIENT_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_ORIENT_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
-#include <CGAL/Wireframe_extraction/internal/field/Local_curve.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Local_curve.h>
 
 #include <cmath>
 #include <cstddef>
@@ -48,4 +48,4 @@ inline void orient(Local_curve& curve, const Field_band& band, const std::vector
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_ORIENT_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_ORIENT_H

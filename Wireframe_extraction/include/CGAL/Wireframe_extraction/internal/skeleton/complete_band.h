@@ -9,11 +9,11 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_COMPLETE_BAND_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_COMPLETE_BAND_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_COMPLETE_BAND_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_COMPLETE_BAND_H
 
 #include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Field_band.h>
 
 #include <cstddef>
 
@@ -33,7 +33,7 @@ std::size_t complete_band(Field_band& band, double skeleton_distance);
 } // namespace CGAL
 
 #ifdef CGAL_WIREFRAME_EXTRACTION_HEADER_ONLY
-#include <CGAL/Wireframe_extraction/internal/field/complete_band_impl.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/complete_band_impl.h>
 #endif
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_COMPLETE_BAND_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_COMPLETE_BAND_H

@@ -9,12 +9,12 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_TRACED_CURVE_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_TRACED_CURVE_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_TRACED_CURVE_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_TRACED_CURVE_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
-#include <CGAL/Wireframe_extraction/internal/field/Local_curve.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Local_curve.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -55,4 +55,4 @@ struct Traced_curve
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_TRACED_CURVE_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_TRACED_CURVE_H

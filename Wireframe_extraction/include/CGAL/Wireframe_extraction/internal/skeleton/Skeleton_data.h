@@ -9,13 +9,13 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_SKELETON_DATA_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_SKELETON_DATA_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_SKELETON_DATA_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_SKELETON_DATA_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
-#include <CGAL/Wireframe_extraction/internal/field/Contraction.h>
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Contraction.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Field_band.h>
 
 #include <cstddef>
 #include <memory>
@@ -52,4 +52,4 @@ struct Skeleton_data
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_SKELETON_DATA_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_SKELETON_DATA_H

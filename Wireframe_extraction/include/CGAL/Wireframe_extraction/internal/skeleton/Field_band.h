@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_FIELD_BAND_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_FIELD_BAND_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_FIELD_BAND_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_FIELD_BAND_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Ball_search.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
@@ -69,4 +69,4 @@ inline double growth_of_variance(double distance) { return 1. + distance * dista
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_FIELD_BAND_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_FIELD_BAND_H

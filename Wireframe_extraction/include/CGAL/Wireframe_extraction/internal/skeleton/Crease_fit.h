@@ -9,14 +9,14 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CREASE_FIT_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CREASE_FIT_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_CREASE_FIT_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_CREASE_FIT_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Symmetric_factorization.h>
 #include <CGAL/Wireframe_extraction/internal/base/error_rates.h>
-#include <CGAL/Wireframe_extraction/internal/field/Field_band.h>
-#include <CGAL/Wireframe_extraction/internal/field/Local_curve.h>
-#include <CGAL/Wireframe_extraction/internal/field/Section_sums.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Field_band.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Local_curve.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Section_sums.h>
 
 #include <CGAL/number_utils.h>
 
@@ -522,4 +522,4 @@ private:
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_CREASE_FIT_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_CREASE_FIT_H

@@ -9,12 +9,12 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_FRONTS_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_FRONTS_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_FRONTS_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_FRONTS_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Segment_grid.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
-#include <CGAL/Wireframe_extraction/internal/field/Local_curve.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Local_curve.h>
 
 #include <cmath>
 #include <cstddef>
@@ -54,4 +54,4 @@ inline bool has_returned(const Local_curve& start, const Local_curve& front, dou
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_FRONTS_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_FRONTS_H

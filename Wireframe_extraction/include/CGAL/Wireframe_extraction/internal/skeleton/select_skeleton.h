@@ -9,13 +9,13 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_SELECT_SKELETON_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_SELECT_SKELETON_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_SELECT_SKELETON_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_SELECT_SKELETON_H
 
 #include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
-#include <CGAL/Wireframe_extraction/internal/field/Skeleton_data.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Skeleton_data.h>
 
 namespace CGAL {
 namespace Wireframe_extraction {
@@ -32,7 +32,7 @@ void select_surroundings(const Surveyed_cloud& cloud, const Extraction_options& 
 } // namespace CGAL
 
 #ifdef CGAL_WIREFRAME_EXTRACTION_HEADER_ONLY
-#include <CGAL/Wireframe_extraction/internal/field/select_skeleton_impl.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/select_skeleton_impl.h>
 #endif
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_SELECT_SKELETON_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_SELECT_SKELETON_H

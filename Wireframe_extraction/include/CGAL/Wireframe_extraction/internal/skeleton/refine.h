@@ -9,12 +9,12 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_REFINE_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_REFINE_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_REFINE_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_REFINE_H
 
 #include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
-#include <CGAL/Wireframe_extraction/internal/field/Skeleton_data.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Skeleton_data.h>
 
 #include <functional>
 
@@ -31,7 +31,7 @@ bool refine(Skeleton_data& skeleton, const Extraction_options& options, const st
 } // namespace CGAL
 
 #ifdef CGAL_WIREFRAME_EXTRACTION_HEADER_ONLY
-#include <CGAL/Wireframe_extraction/internal/field/refine_impl.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/refine_impl.h>
 #endif
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIELD_REFINE_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_REFINE_H
