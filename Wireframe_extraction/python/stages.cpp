@@ -18,9 +18,9 @@
 #include <CGAL/Wireframe_extraction/fit_curves.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/input_checks.h>
-#include <CGAL/Wireframe_extraction/internal/pipeline/best_field.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/call_select_skeleton.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/estimate_best_field.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/find_unit.h>
-#include <CGAL/Wireframe_extraction/internal/pipeline/selected_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/stage_reports.h>
 #include <CGAL/Wireframe_extraction/recognize_curve_types.h>
 #include <CGAL/Wireframe_extraction/refine_field.h>

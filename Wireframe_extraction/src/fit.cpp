@@ -10,5 +10,5 @@
 // Author(s)     : The Wireframe_extraction authors
 
 #include <CGAL/Wireframe_extraction/internal/fit/Cubic_spline_impl.h>
-#include <CGAL/Wireframe_extraction/internal/fit/fit_network_impl.h>
+#include <CGAL/Wireframe_extraction/internal/fit/fit_splines_impl.h>
 #include <CGAL/Wireframe_extraction/internal/fit/graph_paths_impl.h>

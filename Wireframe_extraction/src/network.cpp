@@ -9,6 +9,6 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#include <CGAL/Wireframe_extraction/internal/network/build_network_impl.h>
-#include <CGAL/Wireframe_extraction/internal/network/clusters_impl.h>
-#include <CGAL/Wireframe_extraction/internal/network/corner_groups_impl.h>
+#include <CGAL/Wireframe_extraction/internal/network/build_graph_impl.h>
+#include <CGAL/Wireframe_extraction/internal/network/find_corners_impl.h>
+#include <CGAL/Wireframe_extraction/internal/network/separate_curves_impl.h>

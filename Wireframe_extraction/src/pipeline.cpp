@@ -9,5 +9,5 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
+#include <CGAL/Wireframe_extraction/internal/pipeline/add_doubts_impl.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/extract_impl.h>
-#include <CGAL/Wireframe_extraction/internal/pipeline/find_doubts_impl.h>

@@ -11,5 +11,5 @@
 
 #include <CGAL/Wireframe_extraction/internal/skeleton/complete_band_impl.h>
 #include <CGAL/Wireframe_extraction/internal/skeleton/contract_impl.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/find_skeleton_impl.h>
 #include <CGAL/Wireframe_extraction/internal/skeleton/refine_impl.h>
-#include <CGAL/Wireframe_extraction/internal/skeleton/select_skeleton_impl.h>

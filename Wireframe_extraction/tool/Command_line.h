@@ -1,4 +1,4 @@
-// The command line of the tool extract_wireframe.
+// The command line of the tool extract_wireframe: all of its options, with names, help and bounds. They fill Options.h.
 
 #ifndef EXTRACT_WIREFRAME_COMMAND_LINE_H
 #define EXTRACT_WIREFRAME_COMMAND_LINE_H

@@ -1,4 +1,4 @@
-// What the command line of the tool extract_wireframe says.
+// What the command line of the tool extract_wireframe says, without CLI11, for all who need not know how it is written.
 
 #ifndef EXTRACT_WIREFRAME_OPTIONS_H
 #define EXTRACT_WIREFRAME_OPTIONS_H

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Tests how the source is laid out: that includes point downwards, that none is missing of what is compiled before,
-that include guards equal paths, that C++ looks as .clang-format says, that no line is too long, and that members have
-the names of members.
+that include guards equal paths, that C++ looks as .clang-format says, that no line is too long, that members have
+the names of members, and that the tables of Wireframe_extraction/README.md tell where things are.
 
 usage: test_wireframe_layout.py ROOT [options of unittest]
 """
@@ -228,6 +228,107 @@ class Library:
         return problems
 
 
+class Map:
+    """The tables of Wireframe_extraction/README.md, which tell what does the work of each stage and format."""
+
+    NO_FORMATS = {"cloud/Chunked_cloud_reader.h"}   # what several readers are made of
+
+    def __init__(self, library, root):
+        self.library = library
+        self.root = root
+        self.sections = dict(re.findall(r"(?ms)^## (\w+)$(.*?)(?=^## |\Z)",
+                                        (root / "Wireframe_extraction/README.md").read_text(encoding="utf-8")))
+
+    def rows(self, section, heading):
+        """The rows of the table whose first column has this heading: for each, the words in backticks of each cell."""
+        table = re.search(rf"(?m)^\| {heading} \|.*\n\|[-|]+\n((?:\|.*\n)+)", self.sections[section])[1]
+        return [[re.findall(r"`([^`]+)`", cell) for cell in line.strip("|").split("|")] for line in table.splitlines()]
+
+    def reached(self, header):
+        """All headers of this library that one includes, also through others."""
+        found, new = set(), [header]
+        while new:
+            name = new.pop()
+            if name not in found:
+                found.add(name)
+                new += [other for _, other in self.library.headers[name]]
+        return found
+
+    def untrue_stages(self):
+        told = set()
+        for _, public, workers in self.rows("Stages", "Stage"):
+            header = f"CGAL/Wireframe_extraction/{public[0]}".replace("Wireframe_extraction/../", "")
+            told.add(header)
+            if header not in self.library.headers:
+                yield f"there is no {header}"
+                continue
+            known = self.reached(header)
+            yield from (f"{header} does not include internal/{worker}" for worker in workers
+                        if f"CGAL/Wireframe_extraction/internal/{worker}" not in known)
+        for header in self.library.headers:
+            if group_of(header) == "the stages" and header not in told:
+                yield f"the table of stages lacks {header}"
+
+    def untrue_folders(self):
+        told = [row[0][0].rstrip("/") for row in self.rows("Stages", "Folder")]
+        there = {group[len("internal/"):] for group in RANKS if group.startswith("internal/")}
+        if set(told) != there or len(told) != len(there):
+            yield f"the table of folders has {told}, and there are {sorted(there)}"
+        ranks = [RANKS.get("internal/" + folder, 0) for folder in told]
+        if ranks != sorted(ranks):
+            yield "the table of folders is not in the order in which they include each other"
+
+    def untrue_formats(self):
+        folder = pathlib.PurePosixPath("Wireframe_extraction/include/CGAL/Wireframe_extraction/IO")
+        told = [{}, {}, {}, {}]   # of the columns: the extensions, and the files that go with each
+        for extensions, *columns in self.rows("Formats", "Extensions"):
+            for known, files in zip(told, columns):
+                if files:
+                    known.update(dict.fromkeys(extensions, files))
+                for name in files:
+                    if not (self.root / folder / "internal" / name).exists():
+                        yield f"there is no {name} in {folder}/internal"
+        columns = ("reads clouds", "reads meshes", "reads wireframes", "writes")
+        for known, there, what in zip(told, self.formats(), columns):
+            if set(known) != there:
+                yield f"what {what} is told of {sorted(known)}, and there are {sorted(there)}"
+        files = {name for column in told for names in column.values() for name in names}
+        for path in sorted((self.root / folder / "internal").rglob("*.h")):
+            name = f"{path.parent.name}/{path.name}"
+            is_of_format = re.search(r"/(read_json|write_\w+)_impl\.h$|_reader\.h$", name)
+            if is_of_format and name not in files | self.NO_FORMATS:
+                yield f"the table of formats lacks {name}"
+
+    def formats(self):
+        """The extensions that the code has, in the order of the columns."""
+        package = self.root / "Wireframe_extraction"
+        internal = package / "include/CGAL/Wireframe_extraction/IO/internal"
+
+        def found(path, pattern):
+            return re.findall(pattern, path.read_text(encoding="utf-8"))
+
+        written = found(internal / "file/file_tools.h", r"is_cad_extension[^{]*\{[^{]*\{([^}]*)\}")
+        written += found(package / "tool/write_in_format.h", r"for \(const char\* const known :\s*\{([^}]*)\}")
+        return (set(found(internal / "cloud/cloud_formats_impl.h", r'\{"(\.\w+)", Cloud_format::')),
+                set(found(internal / "mesh/mesh_formats_impl.h", r'extension == "(\.\w+)" *\? Mesh_format::')),
+                {".json"}, set(re.findall(r'"(\.\w+)"', "".join(written))))
+
+    def twins(self):
+        """Headers that are called alike, so that it has to be said which is meant, and calls of no public function."""
+        names = {}
+        for header in self.library.headers:
+            name = header.split("/")[-1]
+            if name.lower() in names:
+                yield f"{header} is called as {names[name.lower()]}; call it another name"
+            names[name.lower()] = header
+        for name, header in names.items():
+            if name.startswith("call_") and name[len("call_"):] not in names:
+                yield f"{header}: there is no public header {name[len('call_'):]}"
+
+    def problems(self):
+        return [*self.untrue_stages(), *self.untrue_folders(), *self.untrue_formats(), *self.twins()]
+
+
 def find_clang_format():
     """A clang-format of the version that the layout is of, or nothing; others lay some lines out differently."""
     for name in (f"clang-format-{CLANG_FORMAT_VERSION}", "clang-format"):
@@ -308,6 +409,9 @@ class Layout_test(unittest.TestCase):
     def test_library(self):
         self.assertEqual([], Library(self.root).problems())
 
+    def test_map(self):
+        self.assertEqual([], Map(Library(self.root), self.root).problems())
+
     def test_clang_format(self):
         program = find_clang_format()
         if not program:
@@ -320,9 +424,10 @@ class Planted_test(unittest.TestCase):
 
     def setUp(self):
         self.root = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
-        for folder in ("include", "src"):
+        for folder in ("include", "src", "tool"):
             shutil.copytree(Layout_test.root / "Wireframe_extraction" / folder,
                             self.root / "Wireframe_extraction" / folder)
+        shutil.copy(Layout_test.root / "Wireframe_extraction/README.md", self.root / "Wireframe_extraction")
         self.package = self.root / "Wireframe_extraction/include/CGAL/Wireframe_extraction"
 
     def enterContext(self, context):   # which unittest has since Python 3.11
@@ -414,6 +519,29 @@ class Planted_test(unittest.TestCase):
                         "public:\n  int g;\n\nprivate:\n  const std::string& h;\n};\nstruct B\n{\n  int i;\n};\n")
         self.assertEqual([2], list(long_lines(path)))
         self.assertEqual(["b", "c", "e", "h"], [name for _, name in badly_named_members(path)])
+
+    def test_map(self):
+        readme = self.root / "Wireframe_extraction/README.md"
+        text = readme.read_text()
+        changes = (("`fit/Spline_network_fit.h`", "`types/Curve_type_recognizer.h`", "fit_curves.h", "does not include"),
+                   ("| `find_doubts.h` |", "| `find_doubt.h` |", "no", "find_doubt.h"),
+                   ("| skeleton | `select_skeleton.h` | `skeleton/find_skeleton_impl.h` |\n", "",
+                    "lacks", "select_skeleton.h"),
+                   ("| `fit/` |", "| `fits/` |", "folders", "fits"), ("| `.stl` |", "| `.stp` |", "meshes", ".stl"),
+                   ("`wireframe/write_svg_impl.h`", "", "lacks", "wireframe/write_svg_impl.h"),
+                   ("`cloud/Npz_file.h`", "`cloud/Npz_reader.h`", "no", "Npz_reader.h"))
+        for old, new, word, other in changes:
+            with self.subTest(old):
+                self.assertIn(old, text)
+                readme.write_text(text.replace(old, new, 1))
+                problems = Map(Library(self.root), self.root).problems()
+                self.assertTrue(any(word in problem and other in problem for problem in problems), problems)
+        readme.write_text(text)
+        self.plant("internal/network/Fit_curves.h")
+        self.plant("internal/network/call_nothing.h")
+        problems = Map(Library(self.root), self.root).problems()
+        self.assertTrue(any("network/Fit_curves.h" in p and "another name" in p for p in problems), problems)
+        self.assertTrue(any("call_nothing.h" in p and "no public" in p for p in problems), problems)
 
     def test_missing_includes(self):
         for word, lacking in (("std::deque<int> planted();", "<deque>"), ("std::size_t planted();", "<cstddef>"),

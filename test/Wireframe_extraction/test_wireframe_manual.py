@@ -26,12 +26,12 @@ OPTIONS = HEADERS / "Wireframe_extraction/internal/options/Extraction_options.h"
 PARAMETER_LIST = HEADERS / "Wireframe_extraction/internal/options/parameters_interface.h"
 DOXYFILE = PAGES / "Doxyfile.in"
 # where the stages read their parameters, besides their own headers
-STAGES = {"select_skeleton.h": ("skeleton/select_skeleton_impl.h",), "contract_skeleton.h": ("skeleton/contract_impl.h",),
-          "refine_field.h": ("skeleton/refine_impl.h",), "detect_corners.h": ("network/corner_groups_impl.h",),
-          "segment_curves.h": ("network/clusters_impl.h",), "recognize_curve_types.h": ("types/recognize_pieces_impl.h",),
-          "find_doubts.h": ("pipeline/find_doubts_impl.h",),
-          "fit_curves.h": ("fit/fit_network_impl.h", "fit/Spline_network_fit.h"),
-          "build_topological_graph.h": ("network/build_network_impl.h", "network/Subdivided_network.h",
+STAGES = {"select_skeleton.h": ("skeleton/find_skeleton_impl.h",), "contract_skeleton.h": ("skeleton/contract_impl.h",),
+          "refine_field.h": ("skeleton/refine_impl.h",), "detect_corners.h": ("network/find_corners_impl.h",),
+          "segment_curves.h": ("network/separate_curves_impl.h",), "recognize_curve_types.h": ("types/recognize_pieces_impl.h",),
+          "find_doubts.h": ("pipeline/add_doubts_impl.h",),
+          "fit_curves.h": ("fit/fit_splines_impl.h", "fit/Spline_network_fit.h"),
+          "build_topological_graph.h": ("network/build_graph_impl.h", "network/Subdivided_network.h",
                                         "network/Traced_network.h", "fit/Spline_network_fit.h")}
 NOT_FOR_USERS = {("build_topological_graph.h", "number_of_rounds")}  # always 2 there
 CGAL_PARAMETERS = {"point_map", "geom_traits", "callback", "random_seed", "visitor", "use_binary_mode", "verbose"}

@@ -2,13 +2,13 @@
 // fields that are known in closed form.
 
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
-#include <CGAL/Wireframe_extraction/internal/fit/fit_network.h>
+#include <CGAL/Wireframe_extraction/internal/fit/fit_splines.h>
 #include <CGAL/Wireframe_extraction/internal/network/Bend_sharpener.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_end_joiner.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_evidence.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_tracer.h>
 #include <CGAL/Wireframe_extraction/internal/network/Joint_fit.h>
-#include <CGAL/Wireframe_extraction/internal/network/build_network.h>
+#include <CGAL/Wireframe_extraction/internal/network/build_graph.h>
 #include <CGAL/Wireframe_extraction/internal/skeleton/complete_band.h>
 #include <CGAL/Wireframe_extraction/internal/skeleton/contract.h>
 #include <CGAL/Wireframe_extraction/internal/skeleton/polyline_feet.h>
@@ -973,7 +973,7 @@ void test_no_spline_leaves_its_points()
     curves[0].path = trace;
     curves[0].vertices = {{0, 1}};
     std::vector<Vector> vertices{trace.front(), trace.back()};
-    assert(fit_network(skeleton, options, vertices, curves, std::function<bool(double)>()));
+    assert(fit_splines(skeleton, options, vertices, curves, std::function<bool(double)>()));
     const Cubic_spline& spline = curves[0].spline;
     const double reach = options.support_distance + 1., error_of_start = 0.1 + 2. * noise;
     for (int k = 0; k <= 400; ++k)
@@ -1014,7 +1014,7 @@ void test_cancelling()
     [&](const std::function<bool(double)>& proceed) {
       std::vector<Fitted_curve> curves = curves_of(network);
       std::vector<Vector> vertices = network.nodes;
-      const bool is_complete = fit_network(skeleton, options, vertices, curves, proceed);
+      const bool is_complete = fit_splines(skeleton, options, vertices, curves, proceed);
       return std::make_pair(is_complete, curves);
     },
     [&](const std::pair<bool, std::vector<Fitted_curve>>& result, bool is_complete) {

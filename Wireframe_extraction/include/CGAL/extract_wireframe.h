@@ -18,7 +18,7 @@
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Range_source.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/cloud_access.h>
-#include <CGAL/Wireframe_extraction/internal/pipeline/extracted_wireframe.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/call_extract_wireframe.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <cstddef>
@@ -123,7 +123,7 @@ extract_wireframe(const PointRange& points, const NamedParameters& np = CGAL::pa
   typedef internal::Cloud_access<PointRange, NamedParameters> Access;
   const Access access(points, np);
   internal::Range_source<PointRange, Access> source(points, access);
-  return internal::extracted_wireframe<ConcurrencyTag>(source, access.traits(), np, false);
+  return internal::call_extract_wireframe<ConcurrencyTag>(source, access.traits(), np, false);
 }
 
 /*!
@@ -156,7 +156,7 @@ Wireframe<GeomTraits> extract_wireframe_from_source(Wireframe_extraction::Distan
 {
   const GeomTraits traits =
     CGAL::parameters::choose_parameter<GeomTraits>(CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits));
-  return Wireframe_extraction::internal::extracted_wireframe<ConcurrencyTag>(source, traits, np, true);
+  return Wireframe_extraction::internal::call_extract_wireframe<ConcurrencyTag>(source, traits, np, true);
 }
 
 } // namespace CGAL

@@ -14,7 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/Wireframe_corner.h>
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
-#include <CGAL/Wireframe_extraction/internal/network/detect_corners.h>
+#include <CGAL/Wireframe_extraction/internal/network/find_corners.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
 
 #include <functional>
@@ -86,7 +86,7 @@ template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_na
   internal::Stage_call call(np);
   if (!call.is_well())
     return {};
-  return internal::detect_corners(skeleton, call.options(), call.progress());
+  return internal::find_corners(skeleton, call.options(), call.progress());
 }
 
 } // namespace Wireframe_extraction

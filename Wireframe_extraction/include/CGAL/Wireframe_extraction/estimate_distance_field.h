@@ -13,7 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_ESTIMATE_DISTANCE_FIELD_H
 
 #include <CGAL/Wireframe_extraction/Distance_field.h>
-#include <CGAL/Wireframe_extraction/internal/pipeline/estimated_field.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/call_estimate_distance_field.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <CGAL/tags.h>
@@ -108,7 +108,7 @@ template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class PointRan
 Distance_field estimate_distance_field(PointRange& points,
                                        const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::estimated_field<ConcurrencyTag>(points, np);
+  return internal::call_estimate_distance_field<ConcurrencyTag>(points, np);
 }
 
 } // namespace Wireframe_extraction

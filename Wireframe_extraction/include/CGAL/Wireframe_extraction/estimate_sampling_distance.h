@@ -15,7 +15,7 @@
 #include <CGAL/Wireframe_extraction/internal/cloud/Range_source.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/cloud_access.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
-#include <CGAL/Wireframe_extraction/internal/pipeline/measured_sampling_distance.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/call_estimate_sampling_distance.h>
 
 #include <cstddef>
 #include <functional>
@@ -71,7 +71,7 @@ template <class PointRange, class NamedParameters = CGAL::parameters::Default_na
   const Access access(points, np);
   internal::Range_source<PointRange, Access> source(points, access);
   internal::Stage_call call(np);
-  return internal::measured_sampling_distance(source, call, np);
+  return internal::call_estimate_sampling_distance(source, call, np);
 }
 
 } // namespace Wireframe_extraction

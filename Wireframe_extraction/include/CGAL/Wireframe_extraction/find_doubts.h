@@ -15,7 +15,7 @@
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
-#include <CGAL/Wireframe_extraction/internal/pipeline/note_doubts.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/call_find_doubts.h>
 
 namespace CGAL {
 namespace Wireframe_extraction {
@@ -56,7 +56,7 @@ bool find_doubts(const Wireframe_skeleton<GeomTraits>& skeleton, Wireframe<GeomT
                  const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::Stage_call call(np);
-  return internal::note_doubts<ConcurrencyTag>(skeleton, wireframe, call);
+  return internal::call_find_doubts<ConcurrencyTag>(skeleton, wireframe, call);
 }
 
 } // namespace Wireframe_extraction

@@ -16,7 +16,7 @@
 #include <CGAL/Wireframe_extraction/Wireframe_graph.h>
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
-#include <CGAL/Wireframe_extraction/internal/fit/fit.h>
+#include <CGAL/Wireframe_extraction/internal/fit/fit_splines.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
 
 #include <functional>
@@ -93,7 +93,7 @@ template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTrai
   if (!call.is_well())
     return Wireframe<GeomTraits>();
   return internal::run_concurrently<ConcurrencyTag>(
-    [&] { return internal::fit(skeleton, graph, call.options(), call.progress()); });
+    [&] { return internal::fit_splines(skeleton, graph, call.options(), call.progress()); });
 }
 
 } // namespace Wireframe_extraction

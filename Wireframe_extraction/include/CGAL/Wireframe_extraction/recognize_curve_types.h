@@ -15,7 +15,7 @@
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
-#include <CGAL/Wireframe_extraction/internal/types/recognized_types.h>
+#include <CGAL/Wireframe_extraction/internal/types/call_recognize_curve_types.h>
 
 #include <functional>
 
@@ -107,7 +107,7 @@ template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class GeomTrai
   const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::Stage_call call(np);
-  return internal::recognized_types<ConcurrencyTag>(skeleton, wireframe, call);
+  return internal::call_recognize_curve_types<ConcurrencyTag>(skeleton, wireframe, call);
 }
 
 } // namespace Wireframe_extraction

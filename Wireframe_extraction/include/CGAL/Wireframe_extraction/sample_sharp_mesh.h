@@ -12,7 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_SAMPLE_SHARP_MESH_H
 #define CGAL_WIREFRAME_EXTRACTION_SAMPLE_SHARP_MESH_H
 
-#include <CGAL/Wireframe_extraction/internal/mesh/mesh_calls.h>
+#include <CGAL/Wireframe_extraction/internal/mesh/call_sample_sharp_mesh.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 #include <CGAL/Wireframe_extraction/policies.h>
 

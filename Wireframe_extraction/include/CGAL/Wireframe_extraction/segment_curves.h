@@ -14,7 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/Wireframe_corner.h>
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
-#include <CGAL/Wireframe_extraction/internal/network/segment_curves.h>
+#include <CGAL/Wireframe_extraction/internal/network/separate_curves.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
 
 #include <cstddef>
@@ -72,7 +72,7 @@ template <class GeomTraits, class NamedParameters = CGAL::parameters::Default_na
   internal::Stage_call call(np);
   if (!call.is_well())
     return {};
-  return internal::segment_curves(skeleton, corners, call.options(), call.progress());
+  return internal::separate_curves(skeleton, corners, call.options(), call.progress());
 }
 
 } // namespace Wireframe_extraction

@@ -16,7 +16,7 @@
 #include <CGAL/Wireframe_extraction/internal/cloud/Range_source.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/cloud_access.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
-#include <CGAL/Wireframe_extraction/internal/pipeline/selected_skeleton.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/call_select_skeleton.h>
 
 #include <cstddef>
 #include <functional>
@@ -102,7 +102,7 @@ select_skeleton(const PointRange& points, const NamedParameters& np = CGAL::para
   const internal::Cloud_access<PointRange, NamedParameters> access(points, np);
   internal::Range_source<PointRange, internal::Cloud_access<PointRange, NamedParameters>> source(points, access);
   internal::Stage_call call(np);
-  return {internal::selected_skeleton(source, call, np), access.traits()};
+  return {internal::call_select_skeleton(source, call, np), access.traits()};
 }
 
 } // namespace Wireframe_extraction

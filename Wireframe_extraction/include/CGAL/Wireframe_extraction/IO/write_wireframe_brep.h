@@ -14,7 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/Opencascade_session.h>
-#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Wireframe_shape.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Opencascade_shape.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
@@ -34,7 +34,7 @@ bool write_brep(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
   return write_with_opencascade(
     out,
     [&](Opencascade_session&, std::ostream& text, std::string& problem) {
-      Wireframe_shape shape;
+      Opencascade_shape shape;
       if (!make_shape(wireframe, get_geom_traits<GeomTraits>(np), shape, problem))
         return false;
       BRepTools::Write(shape.compound, text);

@@ -14,7 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/Opencascade_session.h>
-#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Wireframe_shape.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Opencascade_shape.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
@@ -67,7 +67,7 @@ inline Handle(IGESGeom_ConicArc) make_iges_ellipse(const TopoDS_Edge& edge)
 }
 
 // nothing of the time or the place, so that the same wireframe gives the same file
-inline void set_iges_header(const Handle(IGESData_IGESModel) & model, const Wireframe_shape& shape)
+inline void set_iges_header(const Handle(IGESData_IGESModel) & model, const Opencascade_shape& shape)
 {
   const auto text = [](const char* value) { return new TCollection_HAsciiString(value); };
   IGESData_GlobalSection header = model->GlobalSection();
@@ -95,7 +95,7 @@ bool write_iges(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
   return write_with_opencascade(
     out,
     [&](Opencascade_session& session, std::ostream& text, std::string& problem) {
-      Wireframe_shape shape;
+      Opencascade_shape shape;
       if (!make_shape(wireframe, get_geom_traits<GeomTraits>(np), shape, problem))
         return false;
       IGESControl_Controller::Init();

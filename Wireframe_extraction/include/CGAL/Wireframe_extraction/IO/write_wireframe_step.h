@@ -14,7 +14,7 @@
 
 #include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/Opencascade_session.h>
-#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Wireframe_shape.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Opencascade_shape.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/wireframe_tools.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
@@ -94,7 +94,7 @@ inline void name_step_products(const Handle(StepData_StepModel) & model)
 
 // a closed wire, of which OpenCASCADE writes the curves only
 inline Handle(StepGeom_CompositeCurve)
-  make_step_loop(const std::vector<Handle(StepGeom_Curve)>& curves, const Wireframe_shape::Path& path)
+  make_step_loop(const std::vector<Handle(StepGeom_Curve)>& curves, const Opencascade_shape::Path& path)
 {
   const Handle(StepGeom_HArray1OfCompositeCurveSegment) segments =
     new StepGeom_HArray1OfCompositeCurveSegment(1, int(path.size()));
@@ -112,7 +112,7 @@ inline Handle(StepGeom_CompositeCurve)
 // Gives the curves their names, and makes one curve of those that form a closed wire.
 template <class GeomTraits>
 bool arrange_step_curves(const Handle(StepData_StepModel) & model, const CGAL::Wireframe<GeomTraits>& wireframe,
-                         const Wireframe_shape& shape, std::string& error)
+                         const Opencascade_shape& shape, std::string& error)
 {
   const Handle(StepShape_GeometricCurveSet) set = find_step_curves(model);
   if (set.IsNull() || set->NbElements() != int(shape.edges.size()))
@@ -125,7 +125,7 @@ bool arrange_step_curves(const Handle(StepData_StepModel) & model, const CGAL::W
   int next = 1;
   for (std::size_t i = 0; i < shape.children.size(); ++i)
   {
-    const Wireframe_shape::Path& path = shape.children[i].path;
+    const Opencascade_shape::Path& path = shape.children[i].path;
     std::vector<Handle(StepGeom_Curve)> curves;
     for (const auto& step : path)
     {
@@ -162,7 +162,7 @@ bool write_step(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
   return write_with_opencascade(
     out,
     [&](Opencascade_session& session, std::ostream& text, std::string& problem) {
-      Wireframe_shape shape;
+      Opencascade_shape shape;
       if (!make_shape(wireframe, get_geom_traits<GeomTraits>(np), shape, problem))
         return false;
       STEPControl_Controller::Init();

@@ -15,7 +15,7 @@
 #include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_network.h>
-#include <CGAL/Wireframe_extraction/internal/network/corner_groups.h>
+#include <CGAL/Wireframe_extraction/internal/network/find_corners.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 
 #include <boost/graph/adjacency_list.hpp>

@@ -15,8 +15,11 @@
 #include <CGAL/Wireframe_extraction/Wireframe_corner.h>
 #include <CGAL/Wireframe_extraction/Wireframe_graph.h>
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
-#include <CGAL/Wireframe_extraction/internal/network/build_network.h>
+#include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
+#include <CGAL/Wireframe_extraction/internal/network/Curve_network.h>
+#include <CGAL/Wireframe_extraction/internal/network/find_corners.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Skeleton_data.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
@@ -30,6 +33,12 @@
 namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
+
+// The network of curves that explain the field, as polylines with few points. `proceed(share)` returns whether to go
+// on; after cancelling, the network is what was found so far.
+Curve_network build_network(const Skeleton_data& skeleton, const std::vector<Corner_group>& corners,
+                            const std::vector<std::vector<std::size_t>>& clusters, const Extraction_options& options,
+                            const std::function<bool(double)>& proceed);
 
 template <class GeomTraits>
 Wireframe_graph<GeomTraits> to_graph(const Curve_network& network, const Wireframe_skeleton<GeomTraits>& skeleton)
@@ -97,5 +106,9 @@ Wireframe_graph<GeomTraits> build_graph(const Wireframe_skeleton<GeomTraits>& sk
 } // namespace internal
 } // namespace Wireframe_extraction
 } // namespace CGAL
+
+#ifdef CGAL_WIREFRAME_EXTRACTION_HEADER_ONLY
+#include <CGAL/Wireframe_extraction/internal/network/build_graph_impl.h>
+#endif
 
 #endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_BUILD_GRAPH_H

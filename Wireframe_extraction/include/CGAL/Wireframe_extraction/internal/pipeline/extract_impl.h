@@ -22,24 +22,24 @@
 #include <CGAL/Wireframe_extraction/internal/base/Plain_traits.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/input_checks.h>
-#include <CGAL/Wireframe_extraction/internal/fit/fit.h>
+#include <CGAL/Wireframe_extraction/internal/fit/fit_splines.h>
 #include <CGAL/Wireframe_extraction/internal/network/build_graph.h>
-#include <CGAL/Wireframe_extraction/internal/network/detect_corners.h>
-#include <CGAL/Wireframe_extraction/internal/network/segment_curves.h>
+#include <CGAL/Wireframe_extraction/internal/network/find_corners.h>
+#include <CGAL/Wireframe_extraction/internal/network/separate_curves.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/Extraction_request.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/Plain_visitor.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/Stage_runner.h>
-#include <CGAL/Wireframe_extraction/internal/pipeline/best_field.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/add_doubts.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/estimate_best_field.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/estimate_distances.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/extract.h>
-#include <CGAL/Wireframe_extraction/internal/pipeline/find_doubts.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/find_unit.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/stage_reports.h>
 #include <CGAL/Wireframe_extraction/internal/skeleton/contract.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/find_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/skeleton/refine.h>
-#include <CGAL/Wireframe_extraction/internal/skeleton/select_skeleton.h>
-#include <CGAL/Wireframe_extraction/internal/types/recognize.h>
+#include <CGAL/Wireframe_extraction/internal/types/recognize_types.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -86,7 +86,7 @@ public:
 
   Wireframe<Plain_traits> run(Distance_cloud_source& source)
   {
-    if (!read(source) || !find_scale() || !find_field() || !find_skeleton() || !find_curves() || !fit_all()
+    if (!read(source) || !find_scale() || !find_field() || !select_skeleton() || !find_curves() || !fit_all()
         || !doubt_curves())
       return Wireframe<Plain_traits>();
     report_wireframe(m_wireframe, m_report);
@@ -175,11 +175,11 @@ private:
     m_report.warnings.push_back(m_field.warning);
   }
 
-  bool find_skeleton()
+  bool select_skeleton()
   {
     const double unit = m_report.sampling_distance;
     if (!stage("skeleton", 0.1,
-               [&] { m_skeleton = Skeleton(select_skeleton(*m_cloud, unit, m_options), Plain_traits()); })
+               [&] { m_skeleton = Skeleton(find_skeleton(*m_cloud, unit, m_options), Plain_traits()); })
         || !is_readable())
       return false;
     report_skeleton(m_skeleton.data(), m_report);
@@ -201,18 +201,18 @@ private:
   {
     if (m_skeleton.data().contraction->is_precise())
       return;
-    select_surroundings(*m_cloud, m_options, m_skeleton.data());
+    find_surroundings(*m_cloud, m_options, m_skeleton.data());
     if (m_cloud->error().empty())
       refine(m_skeleton.data(), m_options, m_progress);
   }
 
   bool find_curves()
   {
-    if (!stage("corners", 0.62, [&] { m_corners = detect_corners(m_skeleton, m_options, m_progress); }))
+    if (!stage("corners", 0.62, [&] { m_corners = find_corners(m_skeleton, m_options, m_progress); }))
       return false;
     m_visitor.corners_detected(m_skeleton, m_corners);
     if (!stage("segmentation", 0.65,
-               [&] { m_clusters = segment_curves(m_skeleton, m_corners, m_options, m_progress); }))
+               [&] { m_clusters = separate_curves(m_skeleton, m_corners, m_options, m_progress); }))
       return false;
     m_report.number_of_clusters = m_clusters.size();
     m_visitor.curves_segmented(m_skeleton, m_clusters);
@@ -224,15 +224,16 @@ private:
 
   bool fit_all()
   {
-    if (!stage("splines", 0.92, [&] { m_wireframe = fit(m_skeleton, m_graph, m_options, m_progress); }))
+    if (!stage("splines", 0.92, [&] { m_wireframe = fit_splines(m_skeleton, m_graph, m_options, m_progress); }))
       return false;
     if (m_wireframe.is_empty())
       return fail(Report::Status::NO_FEATURE, no_curve_message());
     m_visitor.curves_fitted(m_wireframe);
     if (!m_options.recognize_types)
       return true;
-    if (!stage("types", 0.98,
-               [&] { recognize(m_skeleton, m_wireframe, m_options, m_progress, m_wireframe, m_report.regularities); }))
+    if (!stage("types", 0.98, [&] {
+          recognize_types(m_skeleton, m_wireframe, m_options, m_progress, m_wireframe, m_report.regularities);
+        }))
       return false;
     m_visitor.types_recognized(m_wireframe);
     return true;
@@ -240,7 +241,7 @@ private:
 
   bool doubt_curves()
   {
-    return stage("doubts", 1., [&] { find_doubts(m_skeleton.data(), m_options, m_wireframe, m_progress); });
+    return stage("doubts", 1., [&] { add_doubts(m_skeleton.data(), m_options, m_wireframe, m_progress); });
   }
 };
 

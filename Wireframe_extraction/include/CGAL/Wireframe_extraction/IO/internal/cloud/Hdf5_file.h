@@ -12,8 +12,8 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_HDF5_FILE_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_HDF5_FILE_H
 
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Array_file.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Hdf5_filters.h>
-#include <CGAL/Wireframe_extraction/IO/internal/cloud/Number_array.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 
 #include <CGAL/config.h>

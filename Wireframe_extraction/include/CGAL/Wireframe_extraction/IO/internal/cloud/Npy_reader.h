@@ -12,7 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_NPY_READER_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_NPY_READER_H
 
-#include <CGAL/Wireframe_extraction/IO/internal/cloud/Number_array.h>
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Array_file.h>
 #include <CGAL/Wireframe_extraction/IO/internal/file/byte_tools.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 

@@ -12,10 +12,10 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_NPZ_FILE_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_NPZ_FILE_H
 
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Array_file.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Cloud_libraries.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Inflater.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Npy_reader.h>
-#include <CGAL/Wireframe_extraction/IO/internal/cloud/Number_array.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/property_names.h>
 #include <CGAL/Wireframe_extraction/IO/internal/file/byte_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/file/file_tools.h>

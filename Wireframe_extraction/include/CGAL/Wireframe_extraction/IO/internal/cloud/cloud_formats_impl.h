@@ -12,10 +12,10 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_CLOUD_FORMATS_IMPL_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_CLOUD_CLOUD_FORMATS_IMPL_H
 
+#include <CGAL/Wireframe_extraction/IO/internal/cloud/Array_cloud_reader.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Inflater.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Npy_reader.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Npz_file.h>
-#include <CGAL/Wireframe_extraction/IO/internal/cloud/Number_array.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Off_cloud_reader.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Pcd_cloud_reader.h>
 #include <CGAL/Wireframe_extraction/IO/internal/cloud/Ply_cloud_reader.h>

@@ -9,15 +9,15 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_BUILD_NETWORK_IMPL_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_BUILD_NETWORK_IMPL_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_BUILD_GRAPH_IMPL_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_BUILD_GRAPH_IMPL_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
 #include <CGAL/Wireframe_extraction/internal/network/Subdivided_network.h>
 #include <CGAL/Wireframe_extraction/internal/network/Traced_network.h>
-#include <CGAL/Wireframe_extraction/internal/network/build_network.h>
+#include <CGAL/Wireframe_extraction/internal/network/build_graph.h>
 
 #include <cstddef>
 #include <functional>
@@ -90,4 +90,4 @@ CGAL_WIREFRAME_EXTRACTION_INLINE Curve_network build_network(const Skeleton_data
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_BUILD_NETWORK_IMPL_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_BUILD_GRAPH_IMPL_H

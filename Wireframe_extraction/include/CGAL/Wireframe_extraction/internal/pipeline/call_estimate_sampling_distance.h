@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_MEASURED_SAMPLING_DISTANCE_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_MEASURED_SAMPLING_DISTANCE_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_CALL_ESTIMATE_SAMPLING_DISTANCE_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_CALL_ESTIMATE_SAMPLING_DISTANCE_H
 
 #include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
@@ -24,7 +24,7 @@ namespace internal {
 
 // The sampling distance of a cloud, as estimate_sampling_distance() measures it; 0 if the cloud is refused.
 template <class NamedParameters>
-double measured_sampling_distance(Distance_cloud_source& source, Stage_call& call, const NamedParameters& np)
+double call_estimate_sampling_distance(Distance_cloud_source& source, Stage_call& call, const NamedParameters& np)
 {
   Surveyed_cloud cloud(source, points_in_memory(np));
   return survey_for_stage(cloud, call, 0., np) ? call.report().sampling_distance : 0.;
@@ -34,4 +34,4 @@ double measured_sampling_distance(Distance_cloud_source& source, Stage_call& cal
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_MEASURED_SAMPLING_DISTANCE_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_CALL_ESTIMATE_SAMPLING_DISTANCE_H

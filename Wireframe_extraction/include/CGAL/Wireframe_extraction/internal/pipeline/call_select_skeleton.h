@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_SELECTED_SKELETON_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_SELECTED_SKELETON_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_CALL_SELECT_SKELETON_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_CALL_SELECT_SKELETON_H
 
 #include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
@@ -21,7 +21,7 @@
 #include <CGAL/Wireframe_extraction/internal/options/points_in_memory.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/survey_for_stage.h>
 #include <CGAL/Wireframe_extraction/internal/skeleton/Skeleton_data.h>
-#include <CGAL/Wireframe_extraction/internal/skeleton/select_skeleton.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/find_skeleton.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 namespace CGAL {
@@ -33,9 +33,9 @@ inline Skeleton_data skeleton_of(const Surveyed_cloud& cloud, double unit, const
                                  Wireframe_extraction_report& report)
 {
   typedef Wireframe_extraction_report::Status Status;
-  Skeleton_data skeleton = select_skeleton(cloud, unit, options);
+  Skeleton_data skeleton = find_skeleton(cloud, unit, options);
   if (options.use_creases && skeleton.size() > 0)
-    select_surroundings(cloud, options, skeleton);
+    find_surroundings(cloud, options, skeleton);
   if (!cloud.error().empty())
   {
     report.status = Status::INVALID_INPUT;
@@ -52,7 +52,7 @@ inline Skeleton_data skeleton_of(const Surveyed_cloud& cloud, double unit, const
 
 // The same for the stage that is called alone.
 template <class NamedParameters>
-Skeleton_data selected_skeleton(Distance_cloud_source& source, Stage_call& call, const NamedParameters& np)
+Skeleton_data call_select_skeleton(Distance_cloud_source& source, Stage_call& call, const NamedParameters& np)
 {
   Surveyed_cloud cloud(source, points_in_memory(np));
   if (!survey_for_stage(cloud, call, given_sampling_distance(np), np))
@@ -70,4 +70,4 @@ Skeleton_data selected_skeleton(Distance_cloud_source& source, Stage_call& call,
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_SELECTED_SKELETON_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_CALL_SELECT_SKELETON_H

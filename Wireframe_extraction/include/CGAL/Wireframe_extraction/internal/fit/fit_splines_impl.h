@@ -9,12 +9,12 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_FIT_NETWORK_IMPL_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_FIT_NETWORK_IMPL_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_FIT_SPLINES_IMPL_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_FIT_SPLINES_IMPL_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/fit/Spline_network_fit.h>
-#include <CGAL/Wireframe_extraction/internal/fit/fit_network.h>
+#include <CGAL/Wireframe_extraction/internal/fit/fit_splines.h>
 
 #include <functional>
 #include <vector>
@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-CGAL_WIREFRAME_EXTRACTION_INLINE bool fit_network(const Skeleton_data& skeleton, const Extraction_options& options,
+CGAL_WIREFRAME_EXTRACTION_INLINE bool fit_splines(const Skeleton_data& skeleton, const Extraction_options& options,
                                                   std::vector<Vector>& vertices, std::vector<Fitted_curve>& curves,
                                                   const std::function<bool(double)>& proceed)
 {
@@ -39,4 +39,4 @@ CGAL_WIREFRAME_EXTRACTION_INLINE bool fit_network(const Skeleton_data& skeleton,
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_FIT_NETWORK_IMPL_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_FIT_SPLINES_IMPL_H

@@ -9,15 +9,15 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_RECOGNIZED_TYPES_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_RECOGNIZED_TYPES_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_CALL_RECOGNIZE_CURVE_TYPES_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_CALL_RECOGNIZE_CURVE_TYPES_H
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
-#include <CGAL/Wireframe_extraction/internal/types/recognize.h>
+#include <CGAL/Wireframe_extraction/internal/types/recognize_types.h>
 
 #include <functional>
 
@@ -25,10 +25,10 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-// recognize() for a stage that is called alone; empty after cancelling
+// recognize_types() for a stage that is called alone; empty after cancelling
 template <class ConcurrencyTag, class GeomTraits>
-Wireframe<GeomTraits> recognized_types(const Wireframe_skeleton<GeomTraits>& skeleton,
-                                       const Wireframe<GeomTraits>& wireframe, Stage_call& call)
+Wireframe<GeomTraits> call_recognize_curve_types(const Wireframe_skeleton<GeomTraits>& skeleton,
+                                                 const Wireframe<GeomTraits>& wireframe, Stage_call& call)
 {
   call.report().regularities.clear();
   Wireframe<GeomTraits> result;
@@ -36,7 +36,7 @@ Wireframe<GeomTraits> recognized_types(const Wireframe_skeleton<GeomTraits>& ske
     return result;
   const std::function<bool(double)> proceed = call.progress();
   run_concurrently<ConcurrencyTag>([&] {
-    if (!recognize(skeleton, wireframe, call.options(), proceed, result, call.report().regularities))
+    if (!recognize_types(skeleton, wireframe, call.options(), proceed, result, call.report().regularities))
       call.fail(Wireframe_extraction_report::Status::CANCELLED, "cancelled");
   });
   return result;
@@ -46,4 +46,4 @@ Wireframe<GeomTraits> recognized_types(const Wireframe_skeleton<GeomTraits>& ske
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_RECOGNIZED_TYPES_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_CALL_RECOGNIZE_CURVE_TYPES_H

@@ -9,12 +9,12 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CLUSTERS_IMPL_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CLUSTERS_IMPL_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SEPARATE_CURVES_IMPL_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SEPARATE_CURVES_IMPL_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Ball_search.h>
 #include <CGAL/Wireframe_extraction/internal/base/Progress.h>
-#include <CGAL/Wireframe_extraction/internal/network/clusters.h>
+#include <CGAL/Wireframe_extraction/internal/network/separate_curves.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -43,7 +43,7 @@ inline bool do_tangents_agree(const Local_curve& a, const Local_curve& b, double
   return a.distance(b.point) < limit && b.distance(a.point) < limit;
 }
 
-CGAL_WIREFRAME_EXTRACTION_INLINE std::vector<std::vector<std::size_t>> clusters(
+CGAL_WIREFRAME_EXTRACTION_INLINE std::vector<std::vector<std::size_t>> separate_curves(
   const Skeleton_data& skeleton, const std::vector<char>& is_in_corner, const Extraction_options& options,
   const std::function<bool(double)>& proceed)
 {
@@ -102,4 +102,4 @@ CGAL_WIREFRAME_EXTRACTION_INLINE std::vector<std::vector<std::size_t>> clusters(
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CLUSTERS_IMPL_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SEPARATE_CURVES_IMPL_H

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_RECOGNIZE_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_RECOGNIZE_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_RECOGNIZE_TYPES_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_RECOGNIZE_TYPES_H
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
@@ -81,9 +81,9 @@ Untyped_curve untyped(const Wireframe_skeleton<GeomTraits>& skeleton, const Wire
 
 // Returns whether it was not cancelled; else `result` and `regularities` are left as they are.
 template <class GeomTraits>
-bool recognize(const Wireframe_skeleton<GeomTraits>& skeleton, const Wireframe<GeomTraits>& wireframe,
-               const Extraction_options& options, const std::function<bool(double)>& proceed,
-               Wireframe<GeomTraits>& result, std::vector<std::string>& regularities)
+bool recognize_types(const Wireframe_skeleton<GeomTraits>& skeleton, const Wireframe<GeomTraits>& wireframe,
+                     const Extraction_options& options, const std::function<bool(double)>& proceed,
+                     Wireframe<GeomTraits>& result, std::vector<std::string>& regularities)
 {
   std::vector<Untyped_curve> curves;
   for (const Wireframe_curve<GeomTraits>& curve : wireframe.curves)
@@ -141,4 +141,4 @@ bool recognize(const Wireframe_skeleton<GeomTraits>& skeleton, const Wireframe<G
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_RECOGNIZE_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_RECOGNIZE_TYPES_H

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_ESTIMATED_FIELD_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_ESTIMATED_FIELD_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_CALL_ESTIMATE_DISTANCE_FIELD_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_CALL_ESTIMATE_DISTANCE_FIELD_H
 
 #include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
 #include <CGAL/Wireframe_extraction/Distance_field.h>
@@ -20,7 +20,7 @@
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/cloud_access.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
-#include <CGAL/Wireframe_extraction/internal/pipeline/best_field.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/estimate_best_field.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/estimate_distances.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/survey_for_stage.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
@@ -39,7 +39,7 @@ namespace internal {
 // The field of a cloud, for the stage that is called alone; empty if the report has something to say, unless that is
 // that no feature was found.
 template <class NamedParameters>
-Distance_field estimated_field(Distance_cloud_source& source, Stage_call& call, const NamedParameters& np)
+Distance_field call_estimate_distance_field(Distance_cloud_source& source, Stage_call& call, const NamedParameters& np)
 {
   typedef Wireframe_extraction_report::Status Status;
   Surveyed_cloud cloud(source, (std::numeric_limits<std::size_t>::max)());
@@ -71,13 +71,14 @@ void put_values(Range& range, const Map& map, const std::vector<double>& values)
 
 // the same of a range, whose maps get what is estimated, if they can
 template <class ConcurrencyTag, class PointRange, class NamedParameters>
-Distance_field estimated_field(PointRange& points, const NamedParameters& np)
+Distance_field call_estimate_distance_field(PointRange& points, const NamedParameters& np)
 {
   typedef Cloud_access<PointRange, NamedParameters> Access;
   const Access access(points, np);
   Range_source<PointRange, Access, false> source(points, access);
   Stage_call call(np);
-  Distance_field field = run_concurrently<ConcurrencyTag>([&] { return estimated_field(source, call, np); });
+  Distance_field field =
+    run_concurrently<ConcurrencyTag>([&] { return call_estimate_distance_field(source, call, np); });
   if (field.is_empty())
     return field;
   constexpr bool is_map_given =
@@ -93,4 +94,4 @@ Distance_field estimated_field(PointRange& points, const NamedParameters& np)
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_ESTIMATED_FIELD_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_CALL_ESTIMATE_DISTANCE_FIELD_H

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_BEST_FIELD_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_BEST_FIELD_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_ESTIMATE_BEST_FIELD_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_ESTIMATE_BEST_FIELD_H
 
 #include <CGAL/Wireframe_extraction/Distance_field.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Surveyed_cloud.h>
@@ -76,4 +76,4 @@ inline bool estimate_best_field(const Surveyed_cloud& cloud, double unit, bool i
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_BEST_FIELD_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_ESTIMATE_BEST_FIELD_H

@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_MESH_MESH_CALLS_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_MESH_MESH_CALLS_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_MESH_CALL_SAMPLE_SHARP_MESH_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_MESH_CALL_SAMPLE_SHARP_MESH_H
 
 #include <CGAL/Wireframe_extraction/Sharp_mesh_report.h>
 #include <CGAL/Wireframe_extraction/internal/mesh/Polygon_soup.h>
@@ -124,4 +124,4 @@ Mesh_kind kind_of_mesh(const PointRange& points, const PolygonRange& polygons, c
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_MESH_MESH_CALLS_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_MESH_CALL_SAMPLE_SHARP_MESH_H

@@ -9,15 +9,15 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_SELECT_SKELETON_IMPL_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_SELECT_SKELETON_IMPL_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_FIND_SKELETON_IMPL_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_FIND_SKELETON_IMPL_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/cell_key.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Cloud_scale.h>
 #include <CGAL/Wireframe_extraction/internal/skeleton/complete_band.h>
-#include <CGAL/Wireframe_extraction/internal/skeleton/select_skeleton.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/find_skeleton.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,8 +89,8 @@ inline std::size_t localize(Field_band& band, double unit, Vector& origin)
   return strays;
 }
 
-CGAL_WIREFRAME_EXTRACTION_INLINE Skeleton_data select_skeleton(const Surveyed_cloud& cloud, double unit,
-                                                               const Extraction_options& options)
+CGAL_WIREFRAME_EXTRACTION_INLINE Skeleton_data find_skeleton(const Surveyed_cloud& cloud, double unit,
+                                                             const Extraction_options& options)
 {
   auto band = std::make_shared<Field_band>();
   Skeleton_data skeleton;
@@ -113,8 +113,8 @@ CGAL_WIREFRAME_EXTRACTION_INLINE Skeleton_data select_skeleton(const Surveyed_cl
   return skeleton;
 }
 
-CGAL_WIREFRAME_EXTRACTION_INLINE void select_surroundings(const Surveyed_cloud& cloud,
-                                                          const Extraction_options& options, Skeleton_data& skeleton)
+CGAL_WIREFRAME_EXTRACTION_INLINE void find_surroundings(const Surveyed_cloud& cloud, const Extraction_options& options,
+                                                        Skeleton_data& skeleton)
 {
   auto surroundings = std::make_shared<Field_band>();
   const Field_band& band = *skeleton.band;
@@ -139,4 +139,4 @@ CGAL_WIREFRAME_EXTRACTION_INLINE void select_surroundings(const Surveyed_cloud& 
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_SELECT_SKELETON_IMPL_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_FIND_SKELETON_IMPL_H

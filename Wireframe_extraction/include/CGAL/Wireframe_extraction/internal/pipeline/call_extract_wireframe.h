@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_EXTRACTED_WIREFRAME_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_EXTRACTED_WIREFRAME_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_CALL_EXTRACT_WIREFRAME_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_CALL_EXTRACT_WIREFRAME_H
 
 #include <CGAL/Wireframe_extraction/Default_visitor.h>
 #include <CGAL/Wireframe_extraction/Distance_cloud_source.h>
@@ -45,8 +45,8 @@ T& referred(std::reference_wrapper<T>& reference)
 
 // The wireframe of a cloud, with the numbers and points of the traits; all between is calculated with plain numbers.
 template <class ConcurrencyTag, class GeomTraits, class NamedParameters>
-Wireframe<GeomTraits> extracted_wireframe(Distance_cloud_source& source, const GeomTraits& traits,
-                                          const NamedParameters& np, bool is_reading_timed)
+Wireframe<GeomTraits> call_extract_wireframe(Distance_cloud_source& source, const GeomTraits& traits,
+                                             const NamedParameters& np, bool is_reading_timed)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -81,4 +81,4 @@ Wireframe<GeomTraits> extracted_wireframe(Distance_cloud_source& source, const G
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_EXTRACTED_WIREFRAME_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_CALL_EXTRACT_WIREFRAME_H

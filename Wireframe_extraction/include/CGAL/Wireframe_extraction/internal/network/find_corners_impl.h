@@ -9,12 +9,12 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CORNER_GROUPS_IMPL_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CORNER_GROUPS_IMPL_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_FIND_CORNERS_IMPL_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_FIND_CORNERS_IMPL_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/farthest_point_sampling.h>
-#include <CGAL/Wireframe_extraction/internal/network/corner_groups.h>
+#include <CGAL/Wireframe_extraction/internal/network/find_corners.h>
 #include <CGAL/Wireframe_extraction/internal/network/second_variance_ratio.h>
 
 #include <CGAL/Union_find.h>
@@ -139,9 +139,9 @@ inline std::vector<std::vector<std::size_t>> corners_by_residual(const Field_ban
   return groups;
 }
 
-CGAL_WIREFRAME_EXTRACTION_INLINE std::vector<Corner_group> corner_groups(const Skeleton_data& skeleton,
-                                                                         const Extraction_options& options,
-                                                                         const std::function<bool(double)>& proceed)
+CGAL_WIREFRAME_EXTRACTION_INLINE std::vector<Corner_group> find_corners(const Skeleton_data& skeleton,
+                                                                        const Extraction_options& options,
+                                                                        const std::function<bool(double)>& proceed)
 {
   std::vector<Corner_group> result;
   if (skeleton.size() == 0)
@@ -171,4 +171,4 @@ CGAL_WIREFRAME_EXTRACTION_INLINE std::vector<Corner_group> corner_groups(const S
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_CORNER_GROUPS_IMPL_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_FIND_CORNERS_IMPL_H

@@ -9,12 +9,12 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_FIND_DOUBTS_IMPL_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_FIND_DOUBTS_IMPL_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_ADD_DOUBTS_IMPL_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_ADD_DOUBTS_IMPL_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/pipeline/Doubt_finder.h>
-#include <CGAL/Wireframe_extraction/internal/pipeline/find_doubts.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/add_doubts.h>
 
 #include <functional>
 
@@ -23,8 +23,8 @@ namespace Wireframe_extraction {
 namespace internal {
 
 CGAL_WIREFRAME_EXTRACTION_INLINE
-bool find_doubts(const Skeleton_data& skeleton, const Extraction_options& options, Wireframe<Plain_traits>& wireframe,
-                 const std::function<bool(double)>& proceed)
+bool add_doubts(const Skeleton_data& skeleton, const Extraction_options& options, Wireframe<Plain_traits>& wireframe,
+                const std::function<bool(double)>& proceed)
 {
   if (!skeleton.band)
     return true;
@@ -37,4 +37,4 @@ bool find_doubts(const Skeleton_data& skeleton, const Extraction_options& option
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_FIND_DOUBTS_IMPL_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_ADD_DOUBTS_IMPL_H

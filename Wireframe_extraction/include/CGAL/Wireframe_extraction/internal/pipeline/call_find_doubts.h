@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_NOTE_DOUBTS_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_NOTE_DOUBTS_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_CALL_FIND_DOUBTS_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_CALL_FIND_DOUBTS_H
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
@@ -18,7 +18,7 @@
 #include <CGAL/Wireframe_extraction/internal/base/Plain_traits.h>
 #include <CGAL/Wireframe_extraction/internal/base/run_concurrently.h>
 #include <CGAL/Wireframe_extraction/internal/options/Stage_call.h>
-#include <CGAL/Wireframe_extraction/internal/pipeline/find_doubts.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/add_doubts.h>
 #include <CGAL/Wireframe_extraction/internal/spline/Wireframe_converter.h>
 
 #include <cstddef>
@@ -30,7 +30,8 @@ namespace internal {
 
 // find_doubts() for a stage that is called alone, on a wireframe of any traits
 template <class ConcurrencyTag, class GeomTraits>
-bool note_doubts(const Wireframe_skeleton<GeomTraits>& skeleton, Wireframe<GeomTraits>& wireframe, Stage_call& call)
+bool call_find_doubts(const Wireframe_skeleton<GeomTraits>& skeleton, Wireframe<GeomTraits>& wireframe,
+                      Stage_call& call)
 {
   if (!call.is_well())
     return false;
@@ -39,7 +40,7 @@ bool note_doubts(const Wireframe_skeleton<GeomTraits>& skeleton, Wireframe<GeomT
   Wireframe<Plain_traits> plain =
     Wireframe_converter<GeomTraits, Plain_traits>(skeleton.traits(), plain_traits)(wireframe);
   bool is_complete = false;
-  run_concurrently<ConcurrencyTag>([&] { is_complete = find_doubts(skeleton.data(), call.options(), plain, proceed); });
+  run_concurrently<ConcurrencyTag>([&] { is_complete = add_doubts(skeleton.data(), call.options(), plain, proceed); });
   for (std::size_t c = 0; c < wireframe.curves.size(); ++c)
     wireframe.curves[c].doubts = plain.curves[c].doubts;
   return is_complete || call.fail(Wireframe_extraction_report::Status::CANCELLED, "cancelled");
@@ -49,4 +50,4 @@ bool note_doubts(const Wireframe_skeleton<GeomTraits>& skeleton, Wireframe<GeomT
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_NOTE_DOUBTS_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_CALL_FIND_DOUBTS_H

@@ -9,18 +9,19 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_FIT_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_FIT_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_FIT_SPLINES_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_FIT_SPLINES_H
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/Wireframe_graph.h>
 #include <CGAL/Wireframe_extraction/Wireframe_skeleton.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
+#include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
 #include <CGAL/Wireframe_extraction/internal/fit/Fitted_curve.h>
-#include <CGAL/Wireframe_extraction/internal/fit/fit_network.h>
 #include <CGAL/Wireframe_extraction/internal/fit/graph_paths.h>
 #include <CGAL/Wireframe_extraction/internal/fit/to_spline.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
+#include <CGAL/Wireframe_extraction/internal/skeleton/Skeleton_data.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/properties.h>
@@ -34,6 +35,11 @@
 namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
+
+// Fits the splines of all curves, and moves the vertices in which they meet. `proceed(share)` returns whether to go on;
+// this returns whether it did.
+bool fit_splines(const Skeleton_data& skeleton, const Extraction_options& options, std::vector<Vector>& vertices,
+                 std::vector<Fitted_curve>& curves, const std::function<bool(double)>& proceed);
 
 template <class GeomTraits>
 Polyline_graph plain_graph(const Wireframe_skeleton<GeomTraits>& skeleton, const Wireframe_graph<GeomTraits>& graph)
@@ -50,8 +56,9 @@ Polyline_graph plain_graph(const Wireframe_skeleton<GeomTraits>& skeleton, const
 }
 
 template <class GeomTraits>
-Wireframe<GeomTraits> fit(const Wireframe_skeleton<GeomTraits>& skeleton, const Wireframe_graph<GeomTraits>& graph,
-                          const Extraction_options& options, const std::function<bool(double)>& proceed)
+Wireframe<GeomTraits> fit_splines(const Wireframe_skeleton<GeomTraits>& skeleton,
+                                  const Wireframe_graph<GeomTraits>& graph, const Extraction_options& options,
+                                  const std::function<bool(double)>& proceed)
 {
   typedef typename GeomTraits::FT FT;
   Wireframe<GeomTraits> wireframe;
@@ -63,7 +70,7 @@ Wireframe<GeomTraits> fit(const Wireframe_skeleton<GeomTraits>& skeleton, const 
   if (curves.empty())
     return wireframe;
 
-  fit_network(skeleton.data(), options, vertices, curves, proceed);
+  fit_splines(skeleton.data(), options, vertices, curves, proceed);
   for (const Vector& v : vertices)
     wireframe.vertices.push_back(skeleton.to_point(v));
   for (const Fitted_curve& fitted : curves)
@@ -87,4 +94,8 @@ Wireframe<GeomTraits> fit(const Wireframe_skeleton<GeomTraits>& skeleton, const 
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_FIT_H
+#ifdef CGAL_WIREFRAME_EXTRACTION_HEADER_ONLY
+#include <CGAL/Wireframe_extraction/internal/fit/fit_splines_impl.h>
+#endif
+
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_FIT_FIT_SPLINES_H

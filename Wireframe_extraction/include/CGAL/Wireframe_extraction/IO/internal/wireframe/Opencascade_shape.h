@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_WIREFRAME_SHAPE_H
-#define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_WIREFRAME_SHAPE_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_OPENCASCADE_SHAPE_H
+#define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_OPENCASCADE_SHAPE_H
 
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/wireframe_tools.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
@@ -55,7 +55,7 @@ namespace IO {
 namespace internal {
 
 // A wireframe in the terms of OpenCASCADE: a compound of closed wires and of single edges.
-struct Wireframe_shape
+struct Opencascade_shape
 {
   // curves in the order in which they are passed, and whether against their own direction
   typedef std::vector<std::pair<std::size_t, bool>> Path;
@@ -80,8 +80,8 @@ class Wireframe_shape_builder
 {
   typedef CGAL::Wireframe<GeomTraits> Wireframe;
   typedef CGAL::Wireframe_curve<GeomTraits> Curve;
-  typedef Wireframe_shape::Path Path;
-  typedef Wireframe_shape::Child Child;
+  typedef Opencascade_shape::Path Path;
+  typedef Opencascade_shape::Child Child;
 
   struct Trimmed_curve
   {
@@ -95,7 +95,7 @@ public:
   {}
 
   // returns false and says why if a curve is none for OpenCASCADE
-  bool build(Wireframe_shape& shape, std::string& error)
+  bool build(Opencascade_shape& shape, std::string& error)
   {
     measure(shape);
     shape.tolerance = 1e-9 * shape.size;
@@ -136,7 +136,7 @@ private:
     return gp_Pnt(to_xyz(point));
   }
 
-  void measure(Wireframe_shape& shape) const
+  void measure(Opencascade_shape& shape) const
   {
     gp_XYZ low(HUGE_VAL, HUGE_VAL, HUGE_VAL), high = -1. * low;
     const auto add = [&](const gp_XYZ& p) {
@@ -160,7 +160,7 @@ private:
     return vertex;
   }
 
-  std::string make_edge(const Curve& curve, Wireframe_shape& shape) const
+  std::string make_edge(const Curve& curve, Opencascade_shape& shape) const
   {
     Trimmed_curve trimmed;
     const std::string problem = make_curve(curve, shape.size, trimmed);
@@ -182,7 +182,7 @@ private:
   }
 
   // a vertex is a ball that has to hold the ends of its edges
-  void cover_gap(const TopoDS_Vertex& vertex, const gp_Pnt& end, Wireframe_shape& shape) const
+  void cover_gap(const TopoDS_Vertex& vertex, const gp_Pnt& end, Opencascade_shape& shape) const
   {
     const double gap = 1.001 * BRep_Tool::Pnt(vertex).Distance(end);
     m_builder.UpdateVertex(vertex, gap);
@@ -345,7 +345,7 @@ private:
 
 // returns false and says why if the wireframe is malformed or OpenCASCADE has no such curve
 template <class GeomTraits>
-bool make_shape(const CGAL::Wireframe<GeomTraits>& wireframe, const GeomTraits& traits, Wireframe_shape& shape,
+bool make_shape(const CGAL::Wireframe<GeomTraits>& wireframe, const GeomTraits& traits, Opencascade_shape& shape,
                 std::string& error)
 {
   error = wireframe.is_empty() ? "the wireframe has no curve, and there is nothing to write"
@@ -357,4 +357,4 @@ bool make_shape(const CGAL::Wireframe<GeomTraits>& wireframe, const GeomTraits& 
 } // namespace IO
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_WIREFRAME_SHAPE_H
+#endif // CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_OPENCASCADE_SHAPE_H

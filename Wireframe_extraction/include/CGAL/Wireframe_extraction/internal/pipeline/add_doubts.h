@@ -9,8 +9,8 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_FIND_DOUBTS_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_FIND_DOUBTS_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_ADD_DOUBTS_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_ADD_DOUBTS_H
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
 #include <CGAL/Wireframe_extraction/internal/base/Plain_traits.h>
@@ -26,15 +26,15 @@ namespace internal {
 
 // Adds the doubts about the curves of a finished wireframe to those that they have. Returns false after cancelling;
 // then some are missing.
-bool find_doubts(const Skeleton_data& skeleton, const Extraction_options& options, Wireframe<Plain_traits>& wireframe,
-                 const std::function<bool(double)>& proceed);
+bool add_doubts(const Skeleton_data& skeleton, const Extraction_options& options, Wireframe<Plain_traits>& wireframe,
+                const std::function<bool(double)>& proceed);
 
 } // namespace internal
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
 #ifdef CGAL_WIREFRAME_EXTRACTION_HEADER_ONLY
-#include <CGAL/Wireframe_extraction/internal/pipeline/find_doubts_impl.h>
+#include <CGAL/Wireframe_extraction/internal/pipeline/add_doubts_impl.h>
 #endif
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_FIND_DOUBTS_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_PIPELINE_ADD_DOUBTS_H
