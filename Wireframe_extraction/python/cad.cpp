@@ -28,12 +28,15 @@ void write_cad(const python::Wireframe& wireframe, const std::string& path, cons
   static std::mutex mutex;
   const std::lock_guard<std::mutex> lock(mutex);
   std::string error;
+  CGAL::Wireframe_provenance provenance;
+  provenance.program = "wireframe_extraction " WIREFRAME_EXTRACTION_VERSION_STRING;
   const auto np = parameters::error_message(&error)
                     .unit(python::unit_of(unit))
                     .step_schema(schema == "ap242" ? Step_schema::AP242 : Step_schema::AP214);
-  const bool is_written = extension == ".brep"    ? CGAL::IO::write_wireframe_brep(path, wireframe, np)
-    : extension == ".step" || extension == ".stp" ? CGAL::IO::write_wireframe_step(path, wireframe, np)
-                                                  : CGAL::IO::write_wireframe_iges(path, wireframe, np);
+  const bool is_written = extension == ".brep" ? CGAL::IO::write_wireframe_brep(path, wireframe, np)
+    : extension == ".step" || extension == ".stp"
+    ? CGAL::IO::write_wireframe_step(path, wireframe, np.provenance(provenance))
+    : CGAL::IO::write_wireframe_iges(path, wireframe, np);
   if (!is_written)
     python::throw_value_error(error);
 }

@@ -23,6 +23,7 @@
 
 #include <CGAL/Wireframe_extraction/Distance_field.h>
 #include <CGAL/Wireframe_extraction/Wireframe_extraction_report.h>
+#include <CGAL/Wireframe_extraction/Wireframe_provenance.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 #include <CGAL/extract_wireframe.h>
 
@@ -85,7 +86,7 @@ public:
     if ((m_options.has_html || m_options.has_png) && !sample(*cloud, m_field, shown))
       throw Error(BAD_INPUT, with_option_names(cloud->error_message()));
     std::string problems;
-    m_written = m_outputs.write(wireframe, pictures(*cloud, shown, stages, wireframe), problems);
+    m_written = m_outputs.write(wireframe, provenance(), pictures(*cloud, shown, stages, wireframe), problems);
     m_seconds.emplace_back("writing", seconds_since(begin));
     progress.clear();
     m_number_of_curves = wireframe.curves.size();
@@ -110,6 +111,8 @@ public:
 
 private:
   typedef std::chrono::steady_clock Clock;
+
+  static constexpr const char* program = "extract_wireframe " WIREFRAME_EXTRACTION_VERSION_STRING;
 
   static double seconds_since(Clock::time_point begin)
   {
@@ -276,6 +279,22 @@ private:
     return result;
   }
 
+  // Names without folders, and no options that change nothing: the same cloud gives the same files, wherever it is.
+  CGAL::Wireframe_provenance provenance() const
+  {
+    CGAL::Wireframe_provenance result;
+    result.program = program;
+    for (const std::string& file : m_options.input.files)
+      result.inputs.push_back(std::filesystem::path(file).filename().string());
+    for (const Parameter& parameter : m_command_line.parameters())
+      if (parameter.is_given && (parameter.group != "Run" || parameter.name == "--paper"))
+        result.options.emplace_back(parameter.name, parameter.value);
+    result.noise_level = m_report.noise;
+    for (const std::string& warning : m_report.warnings)
+      result.warnings.push_back(m_command_line.with_option_names(warning));
+    return result;
+  }
+
   Page_texts page_texts(const Wireframe& wireframe) const
   {
     Page_texts texts;
@@ -283,7 +302,7 @@ private:
     texts.title = std::filesystem::path(files.front()).filename().string()
       + (files.size() > 1 ? " and " + std::to_string(files.size() - 1) + " more" : "");
     texts.unit = CGAL::IO::internal::symbol_of(m_options.unit);
-    texts.program = "extract_wireframe " WIREFRAME_EXTRACTION_VERSION_STRING;
+    texts.program = program;
     texts.summary = summary(wireframe);
     for (const auto& row : doubts_of(wireframe))
       texts.summary.push_back(row);

@@ -13,6 +13,7 @@
 #include <CGAL/Wireframe_extraction/IO/internal/file/file_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/file/write_beside_and_rename.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/Wireframe_provenance.h>
 
 #include <cstddef>
 #include <filesystem>
@@ -69,13 +70,13 @@ public:
 
   // Each file is written as a whole or not at all. One that cannot be written stops no other one: returns the names of
   // those that are written, and what is wrong with the others.
-  std::vector<std::string> write(const Wireframe& wireframe, const std::vector<Picture>& pictures,
-                                 std::string& problems) const
+  std::vector<std::string> write(const Wireframe& wireframe, const CGAL::Wireframe_provenance& provenance,
+                                 const std::vector<Picture>& pictures, std::string& problems) const
   {
     std::vector<Picture> files;
     for (const std::string& name : m_names)
-      files.push_back({name, [this, &name, &wireframe](std::ostream& stream, std::string& error) {
-                         return write_in_format(extension_of(name), stream, wireframe, m_options, error);
+      files.push_back({name, [this, &name, &wireframe, &provenance](std::ostream& stream, std::string& error) {
+                         return write_in_format(extension_of(name), stream, wireframe, m_options, provenance, error);
                        }});
     files.insert(files.end(), pictures.begin(), pictures.end());
     std::vector<std::string> written;

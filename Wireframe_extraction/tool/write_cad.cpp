@@ -10,7 +10,7 @@ namespace tool {
 
 bool write_cad(const std::string& extension, std::ostream& stream, const CGAL::Wireframe<Kernel>& wireframe,
                CGAL::Wireframe_extraction::Length_unit unit, CGAL::Wireframe_extraction::Step_schema schema,
-               std::string& error)
+               const CGAL::Wireframe_provenance& provenance, std::string& error)
 {
   namespace parameters = CGAL::Wireframe_extraction::parameters;
   const auto np = parameters::error_message(&error).unit(unit).step_schema(schema);
@@ -18,7 +18,7 @@ bool write_cad(const std::string& extension, std::ostream& stream, const CGAL::W
     return CGAL::IO::write_wireframe_brep(stream, wireframe, np);
   if (extension == ".iges" || extension == ".igs")
     return CGAL::IO::write_wireframe_iges(stream, wireframe, np);
-  return CGAL::IO::write_wireframe_step(stream, wireframe, np);
+  return CGAL::IO::write_wireframe_step(stream, wireframe, np.provenance(provenance));
 }
 
 } // namespace tool

@@ -7,6 +7,7 @@
 #include "Kernel.h"
 
 #include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/Wireframe_provenance.h>
 #include <CGAL/Wireframe_extraction/policies.h>
 
 #include <iosfwd>
@@ -17,7 +18,7 @@ namespace tool {
 // Writes STEP, IGES or BREP after the extension, which is in lower case and has its dot.
 bool write_cad(const std::string& extension, std::ostream& stream, const CGAL::Wireframe<Kernel>& wireframe,
                CGAL::Wireframe_extraction::Length_unit unit, CGAL::Wireframe_extraction::Step_schema schema,
-               std::string& error);
+               const CGAL::Wireframe_provenance& provenance, std::string& error);
 
 } // namespace tool
 

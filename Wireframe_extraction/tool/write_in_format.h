@@ -9,6 +9,7 @@
 #include <CGAL/Wireframe_extraction/IO/internal/file/file_tools.h>
 #include <CGAL/Wireframe_extraction/IO/write_wireframe.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/Wireframe_provenance.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <optional>
@@ -34,11 +35,11 @@ inline bool has_format(const std::string& extension)
 // Writes a format that there is, after its extension.
 template <class GeomTraits>
 bool write_in_format(const std::string& extension, std::ostream& stream, const CGAL::Wireframe<GeomTraits>& wireframe,
-                     const Options& options, std::string& error)
+                     const Options& options, const CGAL::Wireframe_provenance& provenance, std::string& error)
 {
 #ifdef EXTRACT_WIREFRAME_WITH_CAD
   if (CGAL::IO::internal::is_cad_extension(extension))
-    return write_cad(extension, stream, wireframe, options.unit, options.step_schema, error);
+    return write_cad(extension, stream, wireframe, options.unit, options.step_schema, provenance, error);
 #endif
   const auto if_given = [](double value) { return value > 0. ? std::optional<double>(value) : std::nullopt; };
   const auto np = CGAL::Wireframe_extraction::parameters::error_message(&error)

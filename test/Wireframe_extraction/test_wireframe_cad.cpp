@@ -16,13 +16,22 @@
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
 #include <Message_PrinterOStream.hxx>
+#include <Quantity_Color.hxx>
+#include <STEPCAFControl_Reader.hxx>
 #include <STEPControl_Reader.hxx>
 #include <Standard_Type.hxx>
+#include <TColStd_HSequenceOfExtendedString.hxx>
+#include <TDF_Label.hxx>
+#include <TDocStd_Document.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Shape.hxx>
 #include <UnitsMethods.hxx>
+#include <XCAFDoc_ColorTool.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_LayerTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Elips.hxx>
 
@@ -35,6 +44,8 @@
 #include <iostream>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -423,6 +434,91 @@ std::size_t count(const std::string& text, const std::string& word)
   return result;
 }
 
+// the colours, as in HTML, and the layers of the shapes of a STEP file that have any, as XCAF finds them
+class Presented_shapes
+{
+public:
+  explicit Presented_shapes(const std::string& name) : m_document(new TDocStd_Document("XmlXCAF"))
+  {
+    STEPCAFControl_Reader reader;
+    check(reader.ReadFile(name.c_str()) == IFSelect_RetDone && reader.Transfer(m_document), name);
+    const TopoDS_Shape shape = reader.Reader().OneShape();
+    for (const TopAbs_ShapeEnum kind : {TopAbs_EDGE, TopAbs_WIRE})
+      TopExp::MapShapes(shape, kind, m_shapes);
+  }
+
+  // how often a colour and its layers are there, of edges and wires
+  std::map<std::string, int> counts() const
+  {
+    const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(m_document->Main());
+    const Handle(XCAFDoc_ColorTool) colors = XCAFDoc_DocumentTool::ColorTool(m_document->Main());
+    const Handle(XCAFDoc_LayerTool) layers = XCAFDoc_DocumentTool::LayerTool(m_document->Main());
+    std::map<std::string, int> result;
+    for (int i = 1; i <= m_shapes.Extent(); ++i)
+    {
+      Quantity_Color color;
+      TDF_Label label;
+      if (!colors->GetColor(m_shapes(i), XCAFDoc_ColorCurv, color) || !shapes->Search(m_shapes(i), label))
+        continue;
+      std::string text = Quantity_Color::ColorToHex(color).ToCString();
+      Handle(TColStd_HSequenceOfExtendedString) names = new TColStd_HSequenceOfExtendedString;
+      layers->GetLayers(label, names);
+      for (const TCollection_ExtendedString& layer : *names)
+        text += std::string(" ") + TCollection_AsciiString(layer).ToCString();
+      ++result[text];
+    }
+    return result;
+  }
+
+private:
+  Handle(TDocStd_Document) m_document;
+  TopTools_IndexedMapOfShape m_shapes;
+};
+
+// Each kind has a colour and a layer, doubtful curves have a layer of their own, and loops are shown as a whole.
+void test_presentation()
+{
+  Wireframe wireframe = make_sample();
+  wireframe.curves[5].doubts.insert(CGAL::Wireframe_doubt::SHORT); // a line
+  const std::map<std::string, int> expected = {
+    {"#404040 DOUBTFUL", 1}, {"#404040 LINES", 1},   {"#D62728 CIRCLES", 2}, {"#17A2A2 ELLIPTIC_ARCS", 1},
+    {"#1F77B4 ELLIPSES", 1}, {"#943CBD SPLINES", 3}, {"#943CBD LOOPS", 1}};
+  for (const Schema schema : {Schema::AP214, Schema::AP242})
+  {
+    const std::map<std::string, int> found =
+      Presented_shapes(write("presentation.step", wireframe, Unit::INCH, schema)).counts();
+    for (const auto& row : found)
+      check(expected.count(row.first) > 0 && expected.at(row.first) == row.second,
+            row.first + ": " + std::to_string(row.second));
+    check(found.size() == expected.size(), "all colours and layers are there");
+  }
+  wireframe.curves[1].doubts.insert(CGAL::Wireframe_doubt::SHORT); // in the loop
+  const std::map<std::string, int> found =
+    Presented_shapes(write("presentation.step", wireframe, Unit::INCH, Schema::AP214)).counts();
+  check(found.count("#943CBD LOOPS") == 0 && found.count("#943CBD DOUBTFUL") == 1, "a doubtful loop");
+}
+
+// The header tells where the wireframe comes from, as far as that is told.
+void test_provenance()
+{
+  Wireframe wireframe = make_sample();
+  wireframe.sampling_distance = 0.25;
+  CGAL::Wireframe_provenance provenance;
+  provenance.program = "a program 1.2";
+  provenance.inputs = {"it's a \\ part.ply"};
+  provenance.noise_level = 0.125;
+  std::ostringstream told, untold;
+  check(CGAL::IO::write_wireframe_step(told, wireframe, parameters::provenance(provenance).unit(Unit::INCH))
+          && CGAL::IO::write_wireframe_step(untold, make_sample()),
+        "written");
+  for (const char* const part :
+       {"'a program 1.2'", "input: it''s a \\\\ part.ply", "'sampling distance: 0.25 in'", "'noise level: 0.125 in'"})
+    check(told.str().find(part) != std::string::npos, part);
+  check(untold.str().find("FILE_DESCRIPTION(('wireframe'),") != std::string::npos, "nothing is told");
+  std::ofstream("provenance.step") << told.str();
+  check_edges(read_shape("provenance.step"), wireframe, 25.4, "with a header that tells");
+}
+
 // Readers forgive a loop that is passed the wrong way round; the format does not.
 void test_loop_in_step()
 {
@@ -607,6 +703,8 @@ int main(int argc, char** argv)
     test_sample(scale);
   test_units();
   test_schemas();
+  test_presentation();
+  test_provenance();
   test_loop_in_step();
   test_gap();
   test_refused();

@@ -15,8 +15,12 @@
 #include <CGAL/Wireframe_extraction/IO/internal/file/parameter_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/Opencascade_session.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/Opencascade_shape.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Step_presentation.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/curve_tools.h>
+#include <CGAL/Wireframe_extraction/IO/internal/wireframe/unit_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/wireframe_tools.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/Wireframe_provenance.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <APIHeaderSection_MakeHeader.hxx>
@@ -34,6 +38,7 @@
 #include <StepGeom_HArray1OfCompositeCurveSegment.hxx>
 #include <StepShape_GeometricCurveSet.hxx>
 #include <StepShape_GeometricSetSelect.hxx>
+#include <StepShape_GeometricallyBoundedWireframeShapeRepresentation.hxx>
 #include <StepShape_HArray1OfGeometricSetSelect.hxx>
 #include <TCollection_HAsciiString.hxx>
 
@@ -47,36 +52,48 @@ namespace CGAL {
 namespace IO {
 namespace internal {
 
-inline Handle(TCollection_HAsciiString) step_text(const std::string& text)
+// what the header says of the wireframe, line by line
+inline std::vector<std::string> step_description(double sampling_distance, Wireframe_extraction::Length_unit unit,
+                                                 const Wireframe_provenance& provenance)
 {
-  return new TCollection_HAsciiString(text.c_str());
+  std::vector<std::string> lines(1, "wireframe");
+  for (const std::string& input : provenance.inputs)
+    lines.push_back("input: " + input);
+  if (sampling_distance > 0.)
+    lines.push_back("sampling distance: " + number_to_string(sampling_distance) + " " + symbol_of(unit));
+  if (provenance.noise_level > 0.)
+    lines.push_back("noise level: " + number_to_string(provenance.noise_level) + " " + symbol_of(unit));
+  return lines;
 }
 
-// nothing of the time or the place, so that the same wireframe gives the same file
-inline void set_step_header(const Handle(StepData_StepModel) & model)
+// nothing of the time, so that the same wireframe gives the same file
+inline void set_step_header(const Handle(StepData_StepModel) & model, const std::vector<std::string>& description,
+                            const std::string& program)
 {
   APIHeaderSection_MakeHeader header(model);
-  const auto list = [](const char* text) {
-    const Handle(Interface_HArray1OfHAsciiString) array = new Interface_HArray1OfHAsciiString(1, 1);
-    array->SetValue(1, step_text(text));
+  const auto list = [](const std::vector<std::string>& lines) {
+    const Handle(Interface_HArray1OfHAsciiString) array = new Interface_HArray1OfHAsciiString(1, int(lines.size()));
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      array->SetValue(int(i) + 1, step_text(lines[i]));
     return array;
   };
   header.SetName(step_text("wireframe"));
   header.SetTimeStamp(step_text("2000-01-01T00:00:00")); // has to be one
-  header.SetAuthor(list(""));
-  header.SetOrganization(list(""));
+  header.SetAuthor(list({""}));
+  header.SetOrganization(list({""}));
   header.SetAuthorisation(step_text(""));
-  header.SetOriginatingSystem(step_text("Wireframe_extraction"));
-  header.SetDescription(list("wireframe"));
+  header.SetOriginatingSystem(step_text(program.empty() ? "Wireframe_extraction" : program));
+  header.SetDescription(list(description));
 }
 
-// the curves of the model, which are in the order in which the shape has them
-inline Handle(StepShape_GeometricCurveSet) find_step_curves(const Handle(StepData_StepModel) & model)
+// the first entity of a kind
+template <class Entity>
+Handle(Entity) find_in_step(const Handle(StepData_StepModel) & model)
 {
-  Handle(StepShape_GeometricCurveSet) set;
-  for (int i = 1; i <= model->NbEntities() && set.IsNull(); ++i)
-    set = Handle(StepShape_GeometricCurveSet)::DownCast(model->Value(i));
-  return set;
+  Handle(Entity) entity;
+  for (int i = 1; i <= model->NbEntities() && entity.IsNull(); ++i)
+    entity = Handle(Entity)::DownCast(model->Value(i));
+  return entity;
 }
 
 // OpenCASCADE counts the products of a process in their names.
@@ -109,12 +126,36 @@ inline Handle(StepGeom_CompositeCurve)
   return loop;
 }
 
-// Gives the curves their names, and makes one curve of those that form a closed wire.
+inline std::string step_layer(Wireframe_curve_type type, bool is_doubtful)
+{
+  return is_doubtful ? "DOUBTFUL" : layer_of(type);
+}
+
+// Programs that know a loop as a whole only pass over how its curves are shown. Where these are of several kinds, it
+// has the colour of splines.
+template <class GeomTraits>
+void show_step_loop(const Handle(StepGeom_CompositeCurve) & loop, const CGAL::Wireframe<GeomTraits>& wireframe,
+                    const Opencascade_shape::Path& path, Step_presentation& presentation)
+{
+  const Wireframe_curve_type type = wireframe.curves[path.front().first].type;
+  bool is_doubtful = false, is_of_one_kind = true;
+  for (const auto& step : path)
+  {
+    is_doubtful = is_doubtful || wireframe.curves[step.first].is_doubtful();
+    is_of_one_kind = is_of_one_kind && wireframe.curves[step.first].type == type;
+  }
+  if (is_of_one_kind)
+    presentation.add(loop, type, step_layer(type, is_doubtful));
+  else
+    presentation.add(loop, Wireframe_curve_type::BSPLINE, is_doubtful ? "DOUBTFUL" : "LOOPS");
+}
+
+// Gives the curves their names, colours and layers, and makes one curve of those that form a closed wire.
 template <class GeomTraits>
 bool arrange_step_curves(const Handle(StepData_StepModel) & model, const CGAL::Wireframe<GeomTraits>& wireframe,
                          const Opencascade_shape& shape, std::string& error)
 {
-  const Handle(StepShape_GeometricCurveSet) set = find_step_curves(model);
+  const Handle(StepShape_GeometricCurveSet) set = find_in_step<StepShape_GeometricCurveSet>(model);
   if (set.IsNull() || set->NbElements() != int(shape.edges.size()))
   {
     error = "OpenCASCADE has not made a STEP curve of every curve";
@@ -122,6 +163,7 @@ bool arrange_step_curves(const Handle(StepData_StepModel) & model, const CGAL::W
   }
   const Handle(StepShape_HArray1OfGeometricSetSelect) elements =
     new StepShape_HArray1OfGeometricSetSelect(1, int(shape.children.size()));
+  Step_presentation presentation;
   int next = 1;
   for (std::size_t i = 0; i < shape.children.size(); ++i)
   {
@@ -129,9 +171,10 @@ bool arrange_step_curves(const Handle(StepData_StepModel) & model, const CGAL::W
     std::vector<Handle(StepGeom_Curve)> curves;
     for (const auto& step : path)
     {
+      const auto& curve = wireframe.curves[step.first];
       curves.push_back(set->ElementsValue(next++).Curve());
-      curves.back()->SetName(
-        step_text("curve_" + std::to_string(step.first) + "_" + to_string(wireframe.curves[step.first].type)));
+      curves.back()->SetName(step_text("curve_" + std::to_string(step.first) + "_" + to_string(curve.type)));
+      presentation.add(curves.back(), curve.type, step_layer(curve.type, curve.is_doubtful()));
     }
     StepShape_GeometricSetSelect element;
     if (path.size() == 1)
@@ -140,11 +183,13 @@ bool arrange_step_curves(const Handle(StepData_StepModel) & model, const CGAL::W
     {
       const Handle(StepGeom_CompositeCurve) loop = make_step_loop(curves, path);
       model->AddWithRefs(loop);
+      show_step_loop(loop, wireframe, path, presentation);
       element.SetValue(loop);
     }
     elements->SetValue(int(i) + 1, element);
   }
   set->SetElements(elements);
+  presentation.write(model, find_in_step<StepShape_GeometricallyBoundedWireframeShapeRepresentation>(model));
   return true;
 }
 
@@ -179,7 +224,9 @@ bool write_step(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
       const Handle(StepData_StepModel) model = writer.Model();
       if (!arrange_step_curves(model, wireframe, shape, problem))
         return false;
-      set_step_header(model);
+      const Wireframe_provenance provenance = get_provenance(np);
+      set_step_header(model, step_description(CGAL::to_double(wireframe.sampling_distance), unit, provenance),
+                      provenance.program);
       name_step_products(model);
       StepData_StepWriter step(model);
       step.FloatWriter().SetFormat(opencascade_number_format());
@@ -197,7 +244,10 @@ bool write_step(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
 /// The curves are the trimmed curves of a geometric curve set, the kind of wireframe that CAD programs read, as
 /// `LINE`, `CIRCLE`, `ELLIPSE` or `B_SPLINE_CURVE`, after their type, and named after their index and type, such as
 /// `curve_0_line`. Curves that form a closed loop, with no other curve at any of their vertices, are the segments of a
-/// `COMPOSITE_CURVE`. Numbers have 16 digits, and the same wireframe gives the same bytes: the
+/// `COMPOSITE_CURVE`. Every kind of curve has a colour and a layer, `LINES`, `CIRCLES`, `ARCS`, `ELLIPSES`,
+/// `ELLIPTIC_ARCS` and `SPLINES`; doubtful curves are in the layer `DOUBTFUL` instead. A loop of several kinds is, as a
+/// whole, in the layer `LOOPS`. The header names the input, the sampling distance, the noise level and the program, as
+/// far as they are known. Numbers have 16 digits, and the same wireframe gives the same bytes: the
 /// date in the file is always the same.
 ///
 /// The format cannot hold which curves share a vertex (their ends are the same point), a vertex without curve, and
@@ -222,6 +272,7 @@ bool write_step(std::ostream& out, const CGAL::Wireframe<GeomTraits>& wireframe,
 ///     \cgalParamType{`CGAL::Wireframe_extraction::Step_schema`}
 ///     \cgalParamDefault{`Step_schema::AP214`}
 ///   \cgalParamNEnd
+///   \wireframeParamProvenance
 ///   \wireframeParamErrorMessage
 ///   \wireframeParamTraits
 /// \cgalNamedParamsEnd
@@ -260,6 +311,7 @@ bool write_wireframe_step(std::ostream& stream, const CGAL::Wireframe<GeomTraits
 ///     \cgalParamType{`CGAL::Wireframe_extraction::Step_schema`}
 ///     \cgalParamDefault{`Step_schema::AP214`}
 ///   \cgalParamNEnd
+///   \wireframeParamProvenance
 ///   \wireframeParamErrorMessage
 ///   \wireframeParamTraits
 /// \cgalNamedParamsEnd

@@ -31,6 +31,7 @@ CGAL_add_named_parameter(number_of_skipped_t, number_of_skipped, number_of_skipp
 CGAL_add_named_parameter(sampling_step_t, sampling_step, sampling_step)
 CGAL_add_named_parameter(unit_t, unit, unit)
 CGAL_add_named_parameter(step_schema_t, step_schema, step_schema)
+CGAL_add_named_parameter(provenance_t, provenance, provenance)
 CGAL_add_named_parameter(obj_splines_t, obj_splines, obj_splines)
 CGAL_add_named_parameter(dxf_splines_t, dxf_splines, dxf_splines)
 CGAL_add_named_parameter(chord_tolerance_t, chord_tolerance, chord_tolerance)

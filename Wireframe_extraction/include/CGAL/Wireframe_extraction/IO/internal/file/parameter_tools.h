@@ -13,6 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_FILE_PARAMETER_TOOLS_H
 
 #include <CGAL/Wireframe_extraction/IO/internal/file/write_beside_and_rename.h>
+#include <CGAL/Wireframe_extraction/Wireframe_provenance.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <cstddef>
@@ -49,6 +50,15 @@ GeomTraits get_geom_traits(const NamedParameters& np)
   namespace internal_np = CGAL::Wireframe_extraction::internal_np;
   return CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::geom_traits),
                                             GeomTraits());
+}
+
+// where the wireframe comes from, if that is told
+template <class NamedParameters>
+Wireframe_provenance get_provenance(const NamedParameters& np)
+{
+  namespace internal_np = CGAL::Wireframe_extraction::internal_np;
+  return CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::provenance),
+                                            Wireframe_provenance());
 }
 
 // writes by `write(stream, error)` into a stream, tells the caller what went wrong, and returns whether all

@@ -65,6 +65,20 @@ Orthonormal_conic orthonormal_conic(const Wireframe_curve<GeomTraits>& curve, co
   return result;
 }
 
+// the layer of a kind of curve, in the formats that have layers
+inline const char* layer_of(Wireframe_curve_type type)
+{
+  switch (type)
+  {
+  case Wireframe_curve_type::LINE: return "LINES";
+  case Wireframe_curve_type::CIRCLE: return "CIRCLES";
+  case Wireframe_curve_type::ARC: return "ARCS";
+  case Wireframe_curve_type::ELLIPSE: return "ELLIPSES";
+  case Wireframe_curve_type::ELLIPTIC_ARC: return "ELLIPTIC_ARCS";
+  default: return "SPLINES";
+  }
+}
+
 // the colour in which a kind of curve is shown, the same in all formats that have colours
 struct Colour
 {

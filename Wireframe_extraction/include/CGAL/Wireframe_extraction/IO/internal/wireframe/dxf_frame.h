@@ -39,14 +39,15 @@ struct Dxf_layer
 
 inline Dxf_layer dxf_layer_of(Wireframe_curve_type type)
 {
+  const char* const name = layer_of(type);
   switch (type)
   {
-  case Wireframe_curve_type::LINE: return {"LINES", 7};
-  case Wireframe_curve_type::CIRCLE: return {"CIRCLES", 1};
-  case Wireframe_curve_type::ARC: return {"ARCS", 30};
-  case Wireframe_curve_type::ELLIPSE: return {"ELLIPSES", 5};
-  case Wireframe_curve_type::ELLIPTIC_ARC: return {"ELLIPTIC_ARCS", 4};
-  default: return {"SPLINES", 6};
+  case Wireframe_curve_type::LINE: return {name, 7};
+  case Wireframe_curve_type::CIRCLE: return {name, 1};
+  case Wireframe_curve_type::ARC: return {name, 30};
+  case Wireframe_curve_type::ELLIPSE: return {name, 5};
+  case Wireframe_curve_type::ELLIPTIC_ARC: return {name, 4};
+  default: return {name, 6};
   }
 }
 
