@@ -159,6 +159,8 @@ private:
                 "Write circles, ellipses and their arcs that are tilted against the xy plane into .dxf as splines, for "
                 "programs that flatten them or put them elsewhere",
                 group);
+    add_boolean("--dimensions", m_options.has_dimensions,
+                "Write the radii of arcs and the diameters of circles into .svg", group);
     add_number("--sampling-step", m_options.sampling_step, 0., infinity, false,
                "How long the pieces of sampled curves may be, in the unit of CLOUD; otherwise 0.25 r", group, false);
     add_number("--chord-tolerance", m_options.chord_tolerance, 0., infinity, false,

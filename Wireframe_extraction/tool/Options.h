@@ -46,7 +46,7 @@ struct Options
   double sampling_distance = 0.; // 0: to be estimated
   Length_unit unit = Length_unit::MILLIMETER;
   Step_schema step_schema = Step_schema::AP214;
-  bool has_obj_splines = false, has_dxf_splines = false;
+  bool has_obj_splines = false, has_dxf_splines = false, has_dimensions = false;
   double sampling_step = 0., chord_tolerance = 0.; // 0: not given
   Extraction_options extraction;
   Batch_options batch;

@@ -58,11 +58,11 @@ inline void check_effects_on_outputs(const CLI::App& app, const Options& options
   require(app, "--step-schema", writes(options, {".step", ".stp"}), "an output .step or .stp");
   require(app, "--obj-splines", writes(options, {".obj"}), "an output .obj");
   require(app, "--dxf-splines", writes(options, {".dxf"}), "an output .dxf");
-  const bool is_sampled = writes(options, {".ply", ".vtp", ".gltf", ".glb", ".svg", ".txt", ".cgal"})
+  require(app, "--dimensions", writes(options, {".svg"}), "an output .svg");
+  const bool is_sampled = writes(options, {".ply", ".vtp", ".gltf", ".glb", ".txt", ".cgal"})
     || (writes(options, {".obj"}) && !options.has_obj_splines);
   for (const char* const name : {"--sampling-step", "--chord-tolerance"})
-    require(app, name, is_sampled,
-            "an output of sampled curves: .obj .ply .vtp .gltf .glb .svg .polylines.txt .txt .cgal");
+    require(app, name, is_sampled, "an output of sampled curves: .obj .ply .vtp .gltf .glb .polylines.txt .txt .cgal");
 }
 
 inline void check_effects_on_curves(const CLI::App& app, const Extraction_options& extraction)

@@ -47,7 +47,7 @@ bool write_in_format(const std::string& extension, std::ostream& stream, const C
                     .sampling_step(if_given(options.sampling_step))
                     .chord_tolerance(if_given(options.chord_tolerance));
   if (extension == ".json")
-    return CGAL::IO::write_wireframe_json(stream, wireframe, np);
+    return CGAL::IO::write_wireframe_json(stream, wireframe, np.provenance(provenance));
   if (extension == ".obj")
     return CGAL::IO::write_wireframe_obj(stream, wireframe, np.obj_splines(options.has_obj_splines));
   if (extension == ".ply")
@@ -59,7 +59,7 @@ bool write_in_format(const std::string& extension, std::ostream& stream, const C
   if (extension == ".gltf" || extension == ".glb")
     return CGAL::IO::write_wireframe_gltf(stream, wireframe, np.use_binary_mode(extension == ".glb"));
   if (extension == ".svg")
-    return CGAL::IO::write_wireframe_svg(stream, wireframe, np);
+    return CGAL::IO::write_wireframe_svg(stream, wireframe, np.dimensions(options.has_dimensions));
   if (extension == ".csv")
     return CGAL::IO::write_wireframe_csv(stream, wireframe, np);
   return CGAL::IO::write_wireframe_polylines(stream, wireframe, np);

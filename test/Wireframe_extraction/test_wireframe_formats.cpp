@@ -183,6 +183,32 @@ private:
 Wireframe near_wireframe() { return Closed_form_wireframe(1, Vector(0, 0, 0))(); }
 Wireframe far_wireframe() { return Closed_form_wireframe(2, Vector(5e5, -4e6, 1200))(); }
 
+// arcs, some of whose projections are as flat as rounding lets them be
+Wireframe tilted_wireframe()
+{
+  Wireframe wireframe;
+  for (const double tilt : {0., 1e-10, 1e-7, 1e-5, 1e-4, 1e-3, 0.008, 0.02, 0.3})
+    for (const double sweep : {0.5, 3.1, 6.})
+    {
+      Curve curve;
+      curve.type = Type::ARC;
+      curve.conic = CGAL::Wireframe_conic<Kernel>{Point(10 * sweep, 1, 300 * tilt),
+                                                  Vector(0, std::sin(tilt), std::cos(tilt)),
+                                                  Vector(1, 0, 0),
+                                                  10.,
+                                                  10.,
+                                                  0.3,
+                                                  0.3 + sweep};
+      curve.spline = curve.conic->to_spline(false);
+      for (const Point& point : {curve.spline.control_points().front(), curve.spline.control_points().back()})
+        wireframe.vertices.push_back(point);
+      curve.source = wireframe.vertices.size() - 2;
+      curve.target = wireframe.vertices.size() - 1;
+      wireframe.curves.push_back(curve);
+    }
+  return wireframe;
+}
+
 // with its vertices only, so that there is something to write
 Wireframe flat_wireframe()
 {
@@ -217,6 +243,9 @@ void write_all(const std::string& folder)
             parameters::sampling_step(0.1));
     write(named.first + "_splines.obj", named.second, parameters::obj_splines(true));
   }
+  write("tilted.svg", tilted_wireframe(), parameters::dimensions(false));
+  write("tilted.json", tilted_wireframe(), parameters::dimensions(false));
+  write("dimensions.svg", near_wireframe(), parameters::dimensions(true));
   const std::vector<std::pair<std::string, Length_unit>> units = {
     {"um", Length_unit::MICROMETER}, {"mm", Length_unit::MILLIMETER}, {"cm", Length_unit::CENTIMETER},
     {"m", Length_unit::METER},       {"in", Length_unit::INCH},       {"ft", Length_unit::FOOT}};
@@ -806,9 +835,9 @@ void test_svg()
   const std::string text = stream.str();
   for (const char* const id : {"\"front\"", "\"top\"", "\"right\"", "\"isometric\""})
     assert(count_of(text, std::string("<g id=") + id) == 1);
-  assert(count_of(text, "<polyline ") == 4 * wireframe.curves.size());
-  assert(count_of(text, "<circle ") == 4 * wireframe.vertices.size());
-  assert(count_of(text, " ft,") == 1 && count_of(text, "nan") == 0);
+  assert(count_of(text, "<title>curve ") == 4 * wireframe.curves.size() && count_of(text, "<polyline ") == 0);
+  assert(count_of(text, "<circle class=\"vertex\"") == 4 * wireframe.vertices.size());
+  assert(count_of(text, " ft,") == 1 && count_of(text, "nan") == 0 && count_of(text, "dimension") == 0);
 }
 
 // ---- all of them ----
@@ -884,7 +913,7 @@ void test_errors()
       fails(name, wireframe.first, wireframe.second, none.obj_splines(true));
     }
     fails("formats_missing/new" + extension, "cannot be written", near_wireframe(), none);
-    const bool is_sampled = (extension != ".dxf" && extension != ".csv");
+    const bool is_sampled = (extension != ".dxf" && extension != ".csv" && extension != ".svg");
     if (is_sampled)
       fails(name, "sampling_step", near_wireframe(), none.sampling_step(-1.));
     if (is_sampled)

@@ -10,6 +10,7 @@ DXF; VTK (Debian: python3-vtk9) reads its own format and glTF, and these tests a
 import base64
 import bisect
 import csv
+import heapq
 import itertools
 import json
 import math
@@ -93,12 +94,99 @@ def seen_from_above(curve):
     return points[::-1] if is_from_below else points
 
 
+class Svg_shape:
+    """An element of a drawing as pieces, each a function of a parameter from 0 to 1."""
+
+    def __init__(self, element):
+        self.kind = element.tag[len(SVG):]
+        texts = ("class", "d", "stroke", "transform")
+        number = {key: float(value) for key, value in element.items() if key not in texts}
+        if self.kind == "line":
+            self.pieces = [self.segment([number["x1"], number["y1"]], [number["x2"], number["y2"]])]
+        elif self.kind == "path":
+            self.pieces = list(self.path(element.get("d").split()))
+        else:
+            center = [number["cx"], number["cy"]]
+            radii = [number["r"]] * 2 if self.kind == "circle" else [number["rx"], number["ry"]]
+            degrees = 0.
+            if element.get("transform"):   # about its own center
+                degrees, *about = map(float, element.get("transform")[len("rotate("):-1].split())
+                assert about == center
+            self.pieces = [self.arc(center, radii, math.radians(degrees), 0., 2 * math.pi)]
+        self.samples = [(i, k / 32, piece(k / 32)) for i, piece in enumerate(self.pieces) for k in range(33)]
+
+    @staticmethod
+    def segment(p, q):
+        return lambda t: [a + t * (b - a) for a, b in zip(p, q)]
+
+    @staticmethod
+    def arc(center, radii, turn, begin, sweep):
+        def point(t):
+            x, y = radii[0] * math.cos(begin + t * sweep), radii[1] * math.sin(begin + t * sweep)
+            return [center[0] + x * math.cos(turn) - y * math.sin(turn),
+                    center[1] + x * math.sin(turn) + y * math.cos(turn)]
+        return point
+
+    def path(self, words):
+        assert words[0] == "M"
+        p, words = [float(word) for word in words[1:3]], words[3:]
+        while words:
+            count = {"A": 7, "C": 6}[words[0]]
+            numbers = [float(word) for word in words[1:count + 1]]
+            if words[0] == "A":
+                yield self.arc_between(p, numbers)
+            else:
+                yield self.cubic(p, numbers[:2], numbers[2:4], numbers[4:])
+            p, words = numbers[-2:], words[count + 1:]
+
+    @staticmethod
+    def cubic(a, b, c, d):
+        return lambda t: [(1 - t) ** 3 * i + 3 * (1 - t) ** 2 * t * j + 3 * (1 - t) * t * t * k + t ** 3 * m
+                          for i, j, k, m in zip(a, b, c, d)]
+
+    def arc_between(self, p, numbers):
+        """The arc from p to q, as appendix B.2.4 of SVG 2 has it."""
+        rx, ry, degrees, is_large, is_clockwise, *q = numbers
+        turn = math.radians(degrees)
+        co, si = math.cos(turn), math.sin(turn)
+        half = [(a - b) / 2 for a, b in zip(p, q)]
+        x, y = (co * half[0] + si * half[1]) / rx, (co * half[1] - si * half[0]) / ry
+        length = math.hypot(x, y)
+        assert length <= 1 + 1e-6   # else the radii would have to grow
+        height = math.sqrt(max(1 - length * length, 0.)) / length * (-1 if is_large == is_clockwise else 1)
+        u, v = height * y, -height * x   # the center, where the ellipse is a unit circle
+        begin, end = math.atan2(y - v, x - u), math.atan2(-y - v, -x - u)
+        sweep = (end - begin) % (2 * math.pi) - (0 if is_clockwise else 2 * math.pi)
+        center = [(a + b) / 2 + c for a, b, c in
+                  zip(p, q, (co * rx * u - si * ry * v, si * rx * u + co * ry * v))]
+        return self.arc(center, (rx, ry), turn, begin, sweep)
+
+    def length(self):
+        return sum(math.dist(p[2], q[2]) for p, q in zip(self.samples, self.samples[1:]) if p[0] == q[0])
+
+    def distance(self, p):
+        """Of a point from the nearest piece."""
+        # where the projection crosses itself, another branch may be nearer than its samples tell
+        far = [math.inf, *(math.dist(q, p) for _, _, q in self.samples), math.inf]
+        minima = [(b, *self.samples[i][:2])
+                  for i, (a, b, c) in enumerate(zip(far, far[1:], far[2:])) if b <= a and b <= c]
+        return min(self.refined(piece, t, p) for _, piece, t in heapq.nsmallest(4, minima))
+
+    def refined(self, piece, t, p):
+        point, low, high = self.pieces[piece], max(t - 1 / 32, 0), min(t + 1 / 32, 1)
+        for _ in range(40):
+            a, b = low + 0.382 * (high - low), high - 0.382 * (high - low)
+            low, high = (low, b) if math.dist(point(a), p) < math.dist(point(b), p) else (a, high)
+        return math.dist(point(low), p)
+
+
 class Formats_test(Program_test):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
         subprocess.run([cls.format_writer, cls.shared], check=True, timeout=200)
         cls.truths = {name: json.loads((cls.shared / (name + ".json")).read_text()) for name in ("near", "far")}
+        cls.tilted = json.loads((cls.shared / "tilted.json").read_text())
         cls.arc_lengths = {name: [Arc_length(curve) for curve in truth["curves"]] for name, truth in cls.truths.items()}
 
     def wireframes(self):
@@ -363,44 +451,51 @@ class Formats_test(Program_test):
 
     # ---- SVG ----
 
+    VIEWS = {"front": ((1, 0, 0), (0, 0, 1)), "top": ((1, 0, 0), (0, 1, 0)), "right": ((0, 1, 0), (0, 0, 1)),
+             "isometric": ((math.sqrt(1 / 2), math.sqrt(1 / 2), 0),
+                           (-math.sqrt(1 / 6), math.sqrt(1 / 6), 2 * math.sqrt(1 / 6)))}
+
+    def read_svg(self, name):
+        """The root, the views, and in each view what takes a point to its place on the page."""
+        root = ElementTree.parse(self.shared / (name + ".svg")).getroot()
+        views = {view.get("id"): view for view in root.findall(SVG + "g")}
+        scale, places = float(root.get("data-scale")), {}
+        first = (self.truths.get(name) or self.tilted)["vertices"][0]
+        for key, (right, up) in self.VIEWS.items():
+            circle = views[key].find(SVG + "circle[@class='vertex']")
+
+            def place(p, circle=circle, right=right, up=up):
+                d = [a - b for a, b in zip(p, first)]
+                return [float(circle.get("cx")) + scale * sum(map(float.__mul__, d, map(float, right))),
+                        float(circle.get("cy")) - scale * sum(map(float.__mul__, d, map(float, up)))]
+            places[key] = place
+        return root, views, places
+
+    @staticmethod
+    def curves_of(view):
+        return [element for element in view if element.get("class") not in (None, "vertex", "dimension")]
+
     def test_svg(self):
-        a, b = math.sqrt(1 / 2), math.sqrt(1 / 6)
-        directions = {"front": ((1, 0, 0), (0, 0, 1)), "top": ((1, 0, 0), (0, 1, 0)), "right": ((0, 1, 0), (0, 0, 1)),
-                      "isometric": ((a, a, 0), (-b, b, 2 * b))}
-        for name, truth, _ in self.wireframes():
-            root = ElementTree.parse(self.shared / (name + ".svg")).getroot()
-            width, height = float(root.get("width")), float(root.get("height"))
-            self.assertEqual(root.get("viewBox").split(), ["0", "0", root.get("width"), root.get("height")])
-            views = {view.get("id"): view for view in root.findall(SVG + "g")}
-            boxes, scales, places = {}, [], {}
-            for key, (right, up) in directions.items():
-                polylines = views[key].findall(SVG + "polyline")
-                self.assertEqual([p.get("class") for p in polylines], [c["type"] for c in truth["curves"]])
-                pairs, box = [], []
-                for polyline, curve in zip(polylines, truth["curves"]):
-                    points = [tuple(map(float, p.split(","))) for p in polyline.get("points").split()]
-                    box += points
-                    for p, q in ((points[0], true_points(curve)[0]), (points[-1], true_points(curve)[-1])):
-                        pairs.append((p, (sum(map(float.__mul__, map(float, right), q)),
-                                          -sum(map(float.__mul__, map(float, up), q)))))
-                # one scale, the same in both directions, and the true projection
-                (p0, q0), (p1, q1) = min(pairs, key=lambda x: sum(x[1])), max(pairs, key=lambda x: sum(x[1]))
-                scale = (p1[0] - p0[0] + p1[1] - p0[1]) / (q1[0] - q0[0] + q1[1] - q0[1])
-                for p, q in pairs:
-                    for i in range(2):
-                        self.assertAlmostEqual(p[i] - p0[i], scale * (q[i] - q0[i]), delta=0.02)
-                scales.append(scale)
-                # where the origin of the wireframe would be on the page
-                places[key] = [p0[i] - scale * q0[i] for i in range(2)]
+        for name, truth, tolerance in self.wireframes():
+            root, views, places = self.read_svg(name)
+            size = [root.get("width"), root.get("height")]
+            self.assertTrue(all(length.endswith("mm") for length in size))
+            width, height = (float(length[:-2]) for length in size)
+            self.assertEqual(root.get("viewBox"), f"0 0 {size[0][:-2]} {size[1][:-2]}")   # a unit is a millimeter
+            boxes = {}
+            for key, place in places.items():
+                elements = self.curves_of(views[key])
+                self.assertEqual([e.get("class").split()[0] for e in elements], [c["type"] for c in truth["curves"]])
+                self.assertEqual(len(views[key].findall(SVG + "circle[@class='vertex']")), len(truth["vertices"]))
+                box = [place(p) for curve in truth["curves"] for p in true_points(curve)]
                 boxes[key] = [f(p[i] for p in box) for f in (min, max) for i in range(2)]
-                self.assertEqual(len(views[key].findall(SVG + "circle")), len(truth["vertices"]))
                 for x, y in box:
                     self.assertTrue(0 < x < width and 0 < y < height)
-            self.assertLess(max(scales) - min(scales), 1e-3 * max(scales))
-            # aligned as in a drawing, and apart from each other; far off the origin, the scale has too few digits
+            # aligned as in a drawing, and apart from each other
             if name == "near":
-                self.assertAlmostEqual(places["front"][0], places["top"][0], delta=0.05)
-                self.assertAlmostEqual(places["front"][1], places["right"][1], delta=0.05)
+                origins = {key: place([0., 0., 0.]) for key, place in places.items()}
+                self.assertAlmostEqual(origins["front"][0], origins["top"][0], delta=1e-5)
+                self.assertAlmostEqual(origins["front"][1], origins["right"][1], delta=1e-5)
             self.assertLess(boxes["top"][3], boxes["front"][1])
             self.assertLess(boxes["front"][2], boxes["right"][0])
             self.assertLess(boxes["isometric"][3], boxes["right"][1])
@@ -408,8 +503,49 @@ class Formats_test(Program_test):
             self.assertEqual({text.text for text in views["legend"]}, set(TYPES))
         for name in ("flat", "empty"):
             self.assertEqual(len(ElementTree.parse(self.shared / (name + ".svg")).getroot().findall(SVG + "g")), 5)
-        for unit in METERS:
-            self.assertRegex((self.shared / f"unit_{unit}.svg").read_text(), rf"Size 1 x 0 x 0 {unit},")
+
+    def test_svg_curves(self):
+        """Each curve is its projection to a millionth of the size, as a primitive of its kind."""
+        for name, truth, tolerance in [*self.wireframes(), ("tilted", self.tilted, 0.)]:
+            root, views, places = self.read_svg(name)
+            scale = float(root.get("data-scale"))
+            size = scale * math.dist(*[[f(v[i] for v in truth["vertices"]) for i in range(3)] for f in (min, max)])
+            for key, place in places.items() if name != "far" else [("isometric", places["isometric"])]:
+                for element, curve in zip(self.curves_of(views[key]), truth["curves"]):
+                    shape = Svg_shape(element)
+                    with self.subTest(name, view=key, type=curve["type"]):
+                        kinds = {"bspline": ["path"], "line": ["line"], "arc": ["path", "line"],
+                                 "elliptic_arc": ["path", "line"], "circle": ["circle", "ellipse", "line"],
+                                 "ellipse": ["circle", "ellipse", "line"]}
+                        self.assertIn(shape.kind, kinds[curve["type"]])
+                        points = [place(p) for p in true_points(curve)]
+                        error = 1e-6 * size + 2 * scale * tolerance
+                        for p in points[::8]:
+                            self.assertLessEqual(shape.distance(p), error)
+                        if shape.kind == "path":
+                            self.assert_near(shape.pieces[0](0.), points[0], error)
+                            self.assert_near(shape.pieces[-1](1.), points[-1], error)
+                        if shape.kind != "line":   # nothing besides
+                            fine = [place(p) for p in true_points(curve, 301)]
+                            length = sum(map(math.dist, fine, fine[1:]))
+                            self.assertAlmostEqual(shape.length(), length, delta=1e-2 * length)
+
+    def test_svg_scale(self):
+        """What fits a page is drawn in its size, all else at a usual scale, which is said."""
+        for unit, meters in METERS.items():
+            text = (self.shared / f"unit_{unit}.svg").read_text()
+            self.assertRegex(text, rf"Size 1 x 0 x 0 {unit},.* scale \d+:\d+<")
+            over, under = map(float, text[text.index("scale ", text.index("Size")) + 6:].split("<")[0].split(":"))
+            scale = float(ElementTree.fromstring(text.encode()).get("data-scale"))
+            self.assertAlmostEqual(scale, over / under * 1000 * meters, delta=1e-9 * scale)
+
+    def test_svg_dimensions(self):
+        """The radii of arcs and the diameters of circles, each once."""
+        root = ElementTree.parse(self.shared / "dimensions.svg").getroot()
+        texts = sorted(g.find(SVG + "text").text for g in root.iter(SVG + "g") if g.get("class") == "dimension")
+        expected = sorted(f"R {c['radii'][0]:.4g}" if c["type"] == "arc" else f"\u2300 {2 * c['radii'][0]:.4g}"
+                          for c in self.truths["near"]["curves"] if c["type"] in ("arc", "circle"))
+        self.assertEqual(texts, expected)
 
     # ---- CSV ----
 

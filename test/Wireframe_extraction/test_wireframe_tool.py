@@ -28,7 +28,7 @@ STAGES = ["1_skeleton.ply", "2_feet.ply", "3_corners.ply", "4_clusters.ply", "5_
 # options that are refused without another one, and with what they are not
 HELPERS = {"--view": ["--png", "x.png"], "--fuse": ["--patches"], "--use-indices": ["--patches"],
            "--indices-dataset": ["--patches"], "--unit": ["-o", "x.svg"], "--step-schema": ["-o", "x.step"],
-           "--obj-splines": ["-o", "x.obj"], "--dxf-splines": ["-o", "x.dxf"],
+           "--obj-splines": ["-o", "x.obj"], "--dxf-splines": ["-o", "x.dxf"], "--dimensions": ["-o", "x.svg"],
            "--sampling-step": ["-o", "x.ply"], "--chord-tolerance": ["-o", "x.ply"], "--corner-variance": ["--corner-measure", "variance"],
            "--corner-radius": ["--paper"], "--corner-sampling-ratio": ["--corner-measure=variance"],
            "--end-detection": ["--paper"], "--split-threshold": ["--graph-method", "subdivided"],
@@ -272,8 +272,8 @@ class Tool_test(Program_test):
         gltf = json.loads(content["a.gltf"])
         self.assertEqual((gltf["nodes"][0]["scale"], len(gltf["nodes"])), ([0.0254] * 3, 14))
         self.assertEqual(content["a.glb"][:4], b"glTF")
-        self.assertEqual(content["a.svg"].count(b"<polyline "), 48)
-        self.assertRegex(content["a.svg"], rb"Size .* in, third-angle")
+        self.assertEqual(content["a.svg"].count(b"<line "), 48)
+        self.assertRegex(content["a.svg"], rb"Size .* in, third-angle projection, scale ")
         self.assertEqual(content["a.csv"].count(b"\r\n"), 13)
         self.assertEqual(content["a.obj"].count(b"\nl "), 12)   # a line needs no spline
 
@@ -462,7 +462,7 @@ class Tool_test(Program_test):
         self.assertGreater(len(names), 25)
         # what only a program can give
         for_programs = {"distance_map", "deviation_map", "error_message", "number_of_skipped", "sampling_step",
-                        "extraction_report", "mesh_report", "visitor"}
+                        "extraction_report", "mesh_report", "provenance", "visitor"}
         renamed = {"patch_fusion": "fuse", "field_origin": "field", "coordinate_properties": "coordinates"}
         text = self.extract("--help")
         for name in names:
@@ -614,7 +614,7 @@ class Tool_test(Program_test):
         """All of them stand alone or with a value, which is true or false, whatever stands behind them."""
         (self.folder / "c.xyz").write_text("1 2 3 4\n")
         booleans = re.findall(r"(?m)^  (--[a-z-]+) \[true\|false\]", self.extract("--help"))
-        self.assertEqual(set(booleans), {"--obj-splines", "--dxf-splines", "--patches", "--use-indices", "--skip-invalid",
+        self.assertEqual(set(booleans), {"--obj-splines", "--dxf-splines", "--dimensions", "--patches", "--use-indices", "--skip-invalid",
                                          "--keep-failed", "--paper", "--quiet", "--use-creases", "--use-tangents",
                                          "--use-robust-loss", "--move-corners", "--adapt-knots", "--recognize-types",
                                          "--splines-only", "--regularize", "--use-boundaries", "--clamp-negative"})
@@ -652,7 +652,8 @@ class Tool_test(Program_test):
                 (["--view", "top"], [], "--png"), (["--fuse", "median"], [], "--patches"),
                 (["--use-indices"], ["--patches", "false"], "--patches"), (["--indices-dataset", "i"], [], "--patches"),
                 (["--step-schema", "ap242"], ["-o", "x.svg"], ".step"),
-                (["--obj-splines"], ["-o", "x.svg"], ".obj"), (["--corner-variance", "0.2"], [], "variance"),
+                (["--obj-splines"], ["-o", "x.svg"], ".obj"), (["--dimensions"], ["-o", "x.obj"], ".svg"),
+                (["--sampling-step", "1"], ["-o", "x.svg"], ".vtp"), (["--corner-variance", "0.2"], [], "variance"),
                 (["--corner-radius", "3"], [], "--corner-measure"),
                 (["--corner-sampling-ratio", "0.2"], [], "variance"),
                 (["--corner-residual", "1"], ["--paper"], "field-residual"),

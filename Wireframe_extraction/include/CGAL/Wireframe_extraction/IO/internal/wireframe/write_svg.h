@@ -12,7 +12,6 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_WRITE_SVG_H
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_WRITE_SVG_H
 
-#include <CGAL/Wireframe_extraction/IO/internal/wireframe/Curve_sampling.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/Plain_wireframe.h>
 #include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
 #include <CGAL/Wireframe_extraction/policies.h>
@@ -24,9 +23,9 @@ namespace CGAL {
 namespace IO {
 namespace internal {
 
-// Writes a wireframe as SVG; says what went wrong.
-bool write_svg(std::ostream& out, const Plain_wireframe& wireframe, const Curve_sampling& sampling,
-               Wireframe_extraction::Length_unit unit, std::string& error);
+// Writes a wireframe as SVG, with the radii of circles and arcs if they are wanted; says what went wrong.
+bool write_svg(std::ostream& out, const Plain_wireframe& wireframe, Wireframe_extraction::Length_unit unit,
+               bool has_dimensions, std::string& error);
 
 } // namespace internal
 } // namespace IO
