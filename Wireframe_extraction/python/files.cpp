@@ -11,6 +11,7 @@
 
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -60,14 +61,19 @@ std::string to_svg(const Wireframe& wireframe)
   return stream.str();
 }
 
-// a step of 0 is the default of the format
-void write(const Wireframe& wireframe, const std::string& path, const std::string& unit, double step, bool obj_splines)
+// a step or a tolerance of 0 is not given
+void write(const Wireframe& wireframe, const std::string& path, const std::string& unit, double step,
+           double chord_tolerance, bool obj_splines, bool dxf_splines)
 {
+  const auto if_given = [](double value) { return value > 0. ? std::optional<double>(value) : std::nullopt; };
   std::string error;
-  const auto np = parameters::error_message(&error).unit(unit_of(unit)).obj_splines(obj_splines);
-  const bool is_written = step > 0. ? CGAL::IO::write_wireframe(path, wireframe, np.sampling_step(step))
-                                    : CGAL::IO::write_wireframe(path, wireframe, np);
-  check(is_written, error);
+  const auto np = parameters::error_message(&error)
+                    .unit(unit_of(unit))
+                    .obj_splines(obj_splines)
+                    .dxf_splines(dxf_splines)
+                    .sampling_step(if_given(step))
+                    .chord_tolerance(if_given(chord_tolerance));
+  check(CGAL::IO::write_wireframe(path, wireframe, np), error);
 }
 
 } // namespace

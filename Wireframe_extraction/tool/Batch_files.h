@@ -29,19 +29,20 @@ public:
     : m_options(options), m_list(list), m_folder(options.output_folder), m_own_folder(m_folder / ".batch"),
       m_work_folder(m_own_folder / ("work-" + part.name())),
       m_summary(options.summary.empty() ? m_folder / (part.is_all ? "summary.csv" : "summary-" + part.name() + ".csv")
-                                        : std::filesystem::path(options.summary))
+                                        : std::filesystem::path(options.summary)),
+      m_index_name(part.is_all ? "index.html" : "index-" + part.name() + ".html")
   {}
 
   const std::filesystem::path& own_folder() const { return m_own_folder; }
   const std::filesystem::path& work_folder() const { return m_work_folder; }
   const std::filesystem::path& summary() const { return m_summary; }
-  std::filesystem::path index() const { return m_folder / "index.html"; }
+  std::filesystem::path index() const { return m_folder / m_index_name; }
 
-  // whether there is something to see, and of the whole list
+  // whether there is something to see
   bool has_index() const
   {
     const auto is_shown = [](const std::string& format) { return format == "html" || format == "png"; };
-    return m_options.part.empty() && std::any_of(m_options.formats.begin(), m_options.formats.end(), is_shown);
+    return std::any_of(m_options.formats.begin(), m_options.formats.end(), is_shown);
   }
 
   std::filesystem::path output(std::size_t i, const std::string& format) const
@@ -74,7 +75,7 @@ public:
       throw Error(USAGE_ERROR, m_summary.string() + ": is a folder, so the summary cannot be written there");
     if (!std::filesystem::is_regular_file(m_summary, code))
       return;
-    if (first_line(m_summary) != summary_header())
+    if (first_line(m_summary).compare(0, std::string(summary_mark()).size(), summary_mark()) != 0)
       throw Error(USAGE_ERROR,
                   m_summary.string()
                     + ": is there, and is not the summary of a batch; give "
@@ -105,7 +106,7 @@ public:
       const std::string name = m_list.output_name(i);
       bool is_taken = name.compare(0, 7, ".batch/") == 0 || name == ".batch";
       for (const std::string& format : m_options.formats)
-        is_taken = is_taken || name + "." + format == summary || (has_index() && name + "." + format == "index.html");
+        is_taken = is_taken || name + "." + format == summary || (has_index() && name + "." + format == m_index_name);
       if (is_taken)
         throw Error(BAD_INPUT,
                     m_list.place(i) + ": " + name + " is the name of a file of the batch itself; rename "
@@ -207,6 +208,7 @@ private:
   const Batch_options& m_options;
   const Batch_list& m_list;
   const std::filesystem::path m_folder, m_own_folder, m_work_folder, m_summary;
+  const std::string m_index_name;
 };
 
 } // namespace tool

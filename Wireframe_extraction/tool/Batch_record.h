@@ -77,6 +77,9 @@ inline std::string to_text(const Batch_record& record)
                              {"points", record.result.number_of_points},
                              {"curves", record.result.number_of_curves},
                              {"corners", record.result.number_of_corners},
+                             {"doubtful", record.result.number_of_doubtful_curves},
+                             {"types", record.result.types},
+                             {"rms", record.result.rms},
                              {"sampling_distance", record.result.sampling_distance},
                              {"mesh", record.result.mesh_kind},
                              {"warnings", record.result.warnings},
@@ -101,7 +104,11 @@ inline Batch_record record_of_text(const std::string& text)
   document.at("curves").get_to(record.result.number_of_curves);
   document.at("corners").get_to(record.result.number_of_corners);
   document.at("sampling_distance").get_to(record.result.sampling_distance);
-  record.result.mesh_kind = document.value("mesh", std::string()); // which older records have not
+  // what older records have not
+  record.result.mesh_kind = document.value("mesh", std::string());
+  record.result.number_of_doubtful_curves = document.value("doubtful", std::size_t(0));
+  record.result.types = document.value("types", std::string());
+  record.result.rms = document.value("rms", 0.);
   document.at("warnings").get_to(record.result.warnings);
   document.at("seconds").get_to(record.seconds);
   document.at("processor_seconds").get_to(record.processor_seconds);

@@ -17,7 +17,7 @@ class Cloud_in_memory : public Input_cloud
 public:
   std::vector<Sample> samples;
   std::size_t skipped = 0;
-  std::string text, text_without_feature, kind_of_mesh;
+  std::string text, text_without_feature, kind_of_mesh, place;
   bool are_distances_known = true;
 
   bool read(const Sink& sink) override
@@ -34,6 +34,7 @@ public:
   std::string no_feature() const override { return text_without_feature; }
   std::string mesh_kind() const override { return kind_of_mesh; }
   std::string note() const override { return text; }
+  std::string distance_place() const override { return place; }
 };
 
 } // namespace tool

@@ -87,6 +87,7 @@ public:
     m_options.has_html = m_app.count("--html") > 0;
     m_options.has_png = m_app.count("--png") > 0;
     m_options.has_field = m_app.count("--write-field") > 0;
+    m_options.has_shared_features = m_app.count("--shared-features") > 0;
     check_effects(m_app, m_options);
   }
 
@@ -131,6 +132,13 @@ private:
                   "Write the points with the distances that were estimated, and with their standard deviations, for "
                   "MeshLab, CloudCompare, or to go on from there")
       ->type_name("OUT.ply")
+      ->group(group);
+    m_app
+      .add_option(
+        "--shared-features", m_options.shared_features,
+        "Write a table of what circles and arcs have in common: equal diameters, a common axis, bolt circles; "
+        "with --regularize, they are made so before")
+      ->type_name("OUT.csv")
       ->group(group);
     m_app
       .add_option(
@@ -381,19 +389,19 @@ private:
     if (m_options.completion != Completion::NONE)
       return;
     bool has_output = false;
-    for (const char* const name : {"--output", "--html", "--png", "--write-field"})
+    for (const char* const name : {"--output", "--html", "--png", "--write-field", "--shared-features"})
       has_output = has_output || m_app.count(name) > 0;
     // a file of options may be all that is wanted
     if (m_app.count("CLOUD") == 0 && (has_output || !m_options.has_configuration))
       throw CLI::RequiredError("CLOUD");
     if (!has_output && !m_options.has_configuration)
-      throw CLI::RequiredError("--output (or --html, or --png, or --write-field)");
+      throw CLI::RequiredError("--output (or --html, --png, --write-field or --shared-features)");
   }
 
   void complete_batch()
   {
-    for (const char* const name : {"CLOUD", "--output", "--html", "--png", "--write-field", "--stages", "--distances",
-                                   "--input-format", "--output-format"})
+    for (const char* const name : {"CLOUD", "--output", "--html", "--png", "--write-field", "--shared-features",
+                                   "--stages", "--distances", "--input-format", "--output-format"})
       if (m_app.count(name) > 0)
         throw CLI::ExcludesError("--batch", name);
     if (m_options.batch.output_folder.empty())

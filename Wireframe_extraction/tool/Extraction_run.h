@@ -10,6 +10,7 @@
 #include "Options.h"
 #include "Output_files.h"
 #include "Progress.h"
+#include "Shared_features.h"
 #include "Stage_folder.h"
 #include "Stage_recorder.h"
 #include "Stage_visitor.h"
@@ -77,6 +78,7 @@ public:
             "them all the same");
     throw_if_failed(wireframe);
     m_number_of_skipped = cloud->number_of_skipped();
+    m_distance_place = cloud->distance_place();
     if (!cloud->note().empty())
       m_notes.push_back(with_option_names(cloud->note()));
     const auto begin = Clock::now();
@@ -90,6 +92,7 @@ public:
     m_seconds.emplace_back("writing", seconds_since(begin));
     progress.clear();
     m_number_of_curves = wireframe.curves.size();
+    m_types = curves_text(wireframe);
     if (!m_options.is_quiet)
       summarize(wireframe, stages);
     throw_if(problems, INTERNAL_ERROR);
@@ -102,7 +105,10 @@ public:
     result.number_of_points = m_report.number_of_points;
     result.number_of_curves = m_number_of_curves;
     result.number_of_corners = m_report.number_of_corners;
+    result.number_of_doubtful_curves = m_report.number_of_doubtful_curves;
     result.sampling_distance = m_report.sampling_distance;
+    result.rms = m_report.rms;
+    result.types = m_types;
     result.mesh_kind = m_mesh_kind;
     for (const std::string& warning : m_report.warnings)
       result.warnings.push_back(m_command_line.with_option_names(warning));
@@ -246,6 +252,7 @@ private:
   Summary summary(const Wireframe& wireframe) const
   {
     return summary_of(m_scale, wireframe, m_report, m_number_of_skipped + m_report.number_of_skipped_points,
+                      m_distance_place,
                       m_command_line.is_unit_given() ? CGAL::IO::internal::symbol_of(m_options.unit) : std::string());
   }
 
@@ -272,11 +279,21 @@ private:
       result.push_back({m_options.png, [this, &cloud, &wireframe](std::ostream& stream, std::string& error) {
                           return write_picture(stream, m_options.view, cloud, wireframe, error);
                         }});
+    if (m_options.has_shared_features)
+      result.push_back({m_options.shared_features, [&wireframe](std::ostream& stream, std::string&) {
+                          Shared_features(wireframe).write(stream);
+                          return static_cast<bool>(stream);
+                        }});
     if (m_options.has_field)
       result.push_back({m_options.field, [this, &input](std::ostream& stream, std::string& error) {
                           return write_field(stream, input, m_field, error);
                         }});
     return result;
+  }
+
+  static bool decides_on_results(const Parameter& parameter)
+  {
+    return (parameter.group != "Run" && parameter.group != "Many clouds") || parameter.name == "--paper";
   }
 
   // Names without folders, and no options that change nothing: the same cloud gives the same files, wherever it is.
@@ -287,9 +304,12 @@ private:
     for (const std::string& file : m_options.input.files)
       result.inputs.push_back(std::filesystem::path(file).filename().string());
     for (const Parameter& parameter : m_command_line.parameters())
-      if (parameter.is_given && (parameter.group != "Run" || parameter.name == "--paper"))
+      if (parameter.is_given && decides_on_results(parameter))
         result.options.emplace_back(parameter.name, parameter.value);
     result.noise_level = m_report.noise;
+    result.regularities = m_report.regularities;
+    if (m_command_line.is_unit_given())
+      result.unit = CGAL::IO::internal::symbol_of(m_options.unit);
     for (const std::string& warning : m_report.warnings)
       result.warnings.push_back(m_command_line.with_option_names(warning));
     return result;
@@ -332,7 +352,7 @@ private:
   Report m_report;
   CGAL::Wireframe_extraction::Distance_field m_field; // that was estimated, if it is needed
   Field_scale m_scale;
-  std::string m_mesh_kind;
+  std::string m_mesh_kind, m_distance_place, m_types;
   std::size_t m_number_of_skipped = 0, m_number_of_curves = 0;
   double m_seconds_of_opening = 0.;
   std::vector<std::pair<std::string, double>> m_seconds;

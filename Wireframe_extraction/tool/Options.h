@@ -38,9 +38,10 @@ struct Options
   std::string stages_folder;
   std::vector<std::string> outputs;
   std::string html, png, field; // the last one gets the field that was estimated
+  std::string shared_features;  // gets the table of what circles have in common
   View view = View::ISOMETRIC;  // of the picture
-  bool has_stages = false, has_batch = false, has_html = false, has_png = false, has_field = false, is_paper = false,
-       is_quiet = false;
+  bool has_stages = false, has_batch = false, has_html = false, has_png = false, has_field = false,
+       has_shared_features = false, is_paper = false, is_quiet = false;
   int number_of_threads = 0; // 0: as many as there are
   int points_in_memory = 1 << 20;
   double sampling_distance = 0.; // 0: to be estimated

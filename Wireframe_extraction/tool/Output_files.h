@@ -60,6 +60,8 @@ public:
       check_picture();
     if (m_options.has_field)
       check_field();
+    if (m_options.has_shared_features)
+      check_shared_features();
   }
 
   static void check_extension(const std::string& name, const std::string& extension)
@@ -137,6 +139,13 @@ private:
     if (CGAL::IO::internal::lower_extension(m_options.field) != ".ply")
       throw Error(USAGE_ERROR, m_options.field + ": a field is written into .ply; give --write-field OUT.ply");
     check_writable(m_options.field);
+  }
+
+  void check_shared_features() const
+  {
+    if (CGAL::IO::internal::lower_extension(m_options.shared_features) != ".csv")
+      throw Error(USAGE_ERROR, m_options.shared_features + ": it is a table in .csv; give --shared-features OUT.csv");
+    check_writable(m_options.shared_features);
   }
 
   static void check_writable(const std::string& name)
@@ -224,6 +233,8 @@ inline void check_that_files_differ(const Options& options)
     add(options.png, true);
   if (options.has_field)
     add(options.field, true);
+  if (options.has_shared_features)
+    add(options.shared_features, true);
   if (options.has_stages)
     for (const std::string& name : Stage_folder::file_names())
       add((fs::path(options.stages_folder) / name).string(), true);

@@ -53,8 +53,8 @@ tr.failed td { color: #c33 } input { font: inherit; margin-bottom: .6em; width: 
 <p><input id="filter" type="search" placeholder="Filter: a name, failed, a warning" aria-label="Filter the clouds">
 <span id="count" role="status"></span></p>
 <table><thead><tr>)";
-  for (const char* const name :
-       {"", "Cloud", "Status", "Points", "r", "Curves", "Corners", "Seconds", "Megabytes", "What was said", "Files"})
+  for (const char* const name : {"", "Cloud", "Status", "Points", "r", "Curves", "Types", "Doubtful", "Residual / r",
+                                 "Corners", "Seconds", "Megabytes", "What was said", "Files"})
     stream << "<th scope=\"col\">" << (*name != '\0' ? "<button>" + std::string(name) + "</button>" : std::string())
            << "</th>";
   stream << "</tr></thead><tbody>\n";
@@ -83,6 +83,10 @@ inline void write_index_row(std::ostream& stream, const std::string& cloud, cons
   write_index_number(stream, is_well, std::to_string(result.number_of_points));
   write_index_number(stream, is_well, csv_number(result.sampling_distance, "%.4g"));
   write_index_number(stream, is_well, std::to_string(result.number_of_curves));
+  stream << "<td>" << (is_well ? in_html(result.types) : std::string()) << "</td>";
+  write_index_number(stream, is_well, std::to_string(result.number_of_doubtful_curves));
+  write_index_number(stream, is_well && result.sampling_distance > 0.,
+                     csv_number(result.rms / result.sampling_distance, "%.3f"));
   write_index_number(stream, is_well, std::to_string(result.number_of_corners));
   write_index_number(stream, is_tried, csv_number(record.seconds, "%.2f"));
   write_index_number(stream, is_tried, csv_number(record.peak_megabytes, "%.0f"));

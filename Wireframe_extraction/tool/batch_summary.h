@@ -38,9 +38,12 @@ inline const char* to_text(Batch_status status)
 
 inline const char* summary_header()
 {
-  return "cloud,status,exit_code,error,seconds,processor_seconds,peak_megabytes,points,r,curves,corners,mesh,warnings,"
-         "outputs";
+  return "cloud,status,exit_code,error,seconds,processor_seconds,peak_megabytes,points,r,curves,corners,types,doubtful,"
+         "rms,mesh,warnings,outputs";
 }
+
+// how the table of any version begins
+inline const char* summary_mark() { return "cloud,status,exit_code,error,"; }
 
 inline std::string csv_field(const std::string& text)
 {
@@ -67,16 +70,17 @@ inline void write_row(std::ostream& stream, const std::string& cloud, const std:
   stream << csv_field(cloud) << ',' << to_text(status) << ',';
   if (status == Batch_status::PENDING)
   {
-    stream << ",,,,,,,,,,,\n";
+    stream << ",,,,,,,,,,,,,,\n";
     return;
   }
   stream << result.exit_code << ',' << csv_field(result.error) << ',' << csv_number(record.seconds, "%.3f") << ','
          << csv_number(record.processor_seconds, "%.3f") << ',' << csv_number(record.peak_megabytes, "%.1f") << ',';
   if (status == Batch_status::FAILED)
-    stream << ",,,";
+    stream << ",,,,,,";
   else
     stream << result.number_of_points << ',' << csv_number(result.sampling_distance, "%.9g") << ','
-           << result.number_of_curves << ',' << result.number_of_corners;
+           << result.number_of_curves << ',' << result.number_of_corners << ',' << csv_field(result.types) << ','
+           << result.number_of_doubtful_curves << ',' << csv_number(result.rms, "%.6g");
   const auto text_of_output = [&](const std::pair<std::string, std::uintmax_t>& output) {
     return output_name + "." + output.first;
   };

@@ -69,6 +69,7 @@ public:
   std::string mesh_kind() const override { return m_mesh_kind; }
   Field_header field_header() const override { return m_field_header; }
   std::string note() const override { return m_file.assumption(); }
+  std::string distance_place() const override { return m_file.distance_place(); }
 
 private:
   CGAL::IO::Distance_cloud_file m_file;
@@ -95,6 +96,7 @@ std::string take(CGAL::IO::Distance_cloud_file&& file, const Input& input, Cloud
   });
   result.skipped = file.number_of_skipped();
   result.text = file.assumption();
+  result.place = file.distance_place();
   result.are_distances_known = file.has_distances();
   return file.error_message();
 }

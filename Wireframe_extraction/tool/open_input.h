@@ -67,6 +67,9 @@ public:
   // of a field that this tool wrote
   virtual Field_header field_header() const { return Field_header(); }
 
+  // what of the file holds the distances; empty if nothing does
+  virtual std::string distance_place() const { return std::string(); }
+
   // what the user shall know
   virtual std::string note() const { return std::string(); }
 };

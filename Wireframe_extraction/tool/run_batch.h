@@ -31,7 +31,10 @@ struct Cloud_result
   int exit_code = 0;
   std::string error; // in one line, empty if all went well
   std::size_t number_of_points = 0, number_of_curves = 0, number_of_corners = 0;
+  std::size_t number_of_doubtful_curves = 0;
   double sampling_distance = 0.;
+  double rms = 0.;       // of the residuals
+  std::string types;     // how many curves of each kind, for people
   std::string mesh_kind; // cad or scan; empty for what is no mesh
   std::vector<std::string> warnings;
 };

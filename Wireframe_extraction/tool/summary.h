@@ -148,11 +148,13 @@ Summary doubts_of(const CGAL::Wireframe<GeomTraits>& wireframe)
 template <class GeomTraits>
 Summary summary_of(const Field_scale& scale, const CGAL::Wireframe<GeomTraits>& wireframe,
                    const CGAL::Wireframe_extraction_report& report, std::size_t number_of_skipped,
-                   const std::string& unit)
+                   const std::string& distance_place, const std::string& unit)
 {
   const double r = report.sampling_distance;
   Summary rows;
   rows.emplace_back("Points", points_text(report, number_of_skipped));
+  if (!distance_place.empty())
+    rows.emplace_back("Distances", distance_place);
   rows.emplace_back("r", short_number(r) + (unit.empty() ? "" : " " + unit) + " (" + scale.origin_of_r + ")");
   if (report.is_field_estimated)
     rows.emplace_back("Field",

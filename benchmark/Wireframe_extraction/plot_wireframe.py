@@ -72,7 +72,7 @@ def read_cloud(name):
 def read_wireframe(name):
     with open(name, encoding="utf-8") as stream:
         wireframe = json.load(stream)
-    if wireframe.get("format") != "wireframe" or wireframe.get("version") != 1:
+    if wireframe.get("format") != "wireframe" or wireframe.get("version") not in (1, 2):
         raise ValueError(f"{name}: not wireframe JSON, version 1")
     return wireframe
 

@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import re
 import shutil
 import struct
 import subprocess
@@ -18,6 +19,11 @@ def header_and_points(path):
     data = path.read_bytes()
     end = data.index(b"end_header\n") + len(b"end_header\n")
     return data[:end], list(struct.iter_unpack("<4f", data[end:]))
+
+
+def without_provenance(text):
+    """Wireframe JSON without the line that says where it comes from, which names the input and the options."""
+    return re.sub(r'(?m)^ "provenance":.*\n', "", text)
 
 
 def read_cloud(path):

@@ -78,7 +78,12 @@ void test_json_documents()
   refuse_json("[]", {"no wireframe"});
   refuse_json("{}", {"no wireframe"});
   refuse_json(json("\"wireframe\"", "\"mesh\""), {"no wireframe"});
-  refuse_json(json("\"version\":1", "\"version\":2"), {"version 2", "version 1"});
+  refuse_json(json("\"version\":1", "\"version\":3"), {"version 3", "versions 1 and 2"});
+  for (const char* const provenance :
+       {"[]", "{\"program\":1}", "{\"inputs\":\"a\"}", "{\"options\":[]}", "{\"noise_level\":\"a\"}"})
+    refuse_json(json("\"version\":1", "\"version\":2,\"provenance\":" + std::string(provenance)), {"it has to be"});
+  for (const char* const provenance : {"{\"inputs\":[1]}", "{\"options\":{\"a\":1}}"})
+    refuse_json(json("\"version\":1", "\"version\":2,\"provenance\":" + std::string(provenance)), {"no text"});
   refuse_json(json("\"version\":1", "\"version\":\"1\""), {"version"});
   refuse_json(json("\"version\":1,", ""), {"version"});
   refuse_json(json("\"sampling_distance\":0.5,", ""), {"sampling_distance", "missing"});

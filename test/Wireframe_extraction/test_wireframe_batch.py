@@ -20,7 +20,7 @@ import urllib.parse
 from program_test import BAD_INPUT, BUSY, NO_FEATURE, SOME_FAILED, SUCCESS, TIME_LIMIT, USAGE_ERROR, Program_test, main
 
 COLUMNS = ["cloud", "status", "exit_code", "error", "seconds", "processor_seconds", "peak_megabytes", "points", "r",
-           "curves", "corners", "mesh", "warnings", "outputs"]
+           "curves", "corners", "types", "doubtful", "rms", "mesh", "warnings", "outputs"]
 
 
 def children_of(process):
@@ -79,10 +79,18 @@ class Batch_test(Program_test):
             self.assertNotIn("<b>", page)
             self.assertIn("größe &amp; co.ply", page)
             self.assertNotIn("http", page)   # it needs no network
+            self.assertEqual(page.count("<td>12 lines</td>"), 2)
             addresses = [urllib.parse.unquote(name) for name in re.findall(r'(?:src|href)="([^"]+)"', page)]
             self.assertGreaterEqual(len(addresses), 2 * (1 + 2 * len(formats)))
             for name in addresses:
                 self.assertGreater((self.folder / "out" / name).stat().st_size, 100)
+        with open(self.folder / "out/summary.csv", newline="", encoding="utf-8") as file:
+            row = next(csv.DictReader(file))
+        self.assertEqual((row["types"], row["doubtful"]), ("12 lines", "0"))
+        self.assertTrue(0 < float(row["rms"]) < float(row["r"]))
+        self.run_batch(*arguments, "--part", "1/2", output="parts")   # the first two
+        page = (self.folder / "parts/index-1-of-2.html").read_text()
+        self.assertEqual((page.count("<tr class="), page.count("<td>12 lines</td>")), (2, 2))
         (self.folder / "out/index.html").write_text("mine")
         self.assertIn("index.html", self.run_batch(*arguments, code=USAGE_ERROR).stderr)
         self.assertEqual((self.folder / "out/index.html").read_text(), "mine")

@@ -227,7 +227,39 @@ void test_json_details()
   assert(again.str().find("weights") == std::string::npos);
 }
 
-// three curves that meet in two vertices, a closed one with a vertex, and a circle without
+// what is told of where a wireframe comes from is read back; nothing is told of what is not known
+void test_provenance()
+{
+  namespace parameters = CGAL::Wireframe_extraction::parameters;
+  CGAL::Wireframe_provenance provenance, found;
+  provenance.program = "a \"program\" \\ 1.0";
+  provenance.inputs = {"a\nb.ply", "\xc3\xa4.ply"};
+  provenance.options = {{"--minimum-fold", "30"}, {"--regularize", "true"}};
+  provenance.noise_level = 0.125;
+  provenance.warnings = {"odd"};
+  provenance.regularities = {"equal radii: curves 0, 1"};
+  provenance.unit = "in";
+  std::stringstream stream;
+  assert(CGAL::IO::write_wireframe_json(stream, theta_wireframe(), parameters::provenance(provenance)));
+  CGAL::Wireframe<Kernel> wireframe;
+  assert(CGAL::IO::read_wireframe_json(stream, wireframe, parameters::provenance(&found)));
+  assert(found.program == provenance.program && found.inputs == provenance.inputs && found.unit == "in");
+  assert(found.options == provenance.options && found.noise_level == 0.125 && found.warnings == provenance.warnings);
+  assert(found.regularities == provenance.regularities && wireframe.curves.size() == theta_wireframe().curves.size());
+
+  std::stringstream untold;
+  assert(CGAL::IO::write_wireframe_json(untold, theta_wireframe()));
+  assert(untold.str().find("provenance") == std::string::npos);
+  assert(CGAL::IO::read_wireframe_json(untold, wireframe, parameters::provenance(&found)));
+  assert(found.program.empty() && found.inputs.empty() && found.noise_level == 0.);
+
+  // files of version 1 have no such thing, and are read
+  std::string old = untold.str();
+  old.replace(old.find("\"version\":2"), 11, "\"version\":1");
+  std::istringstream first(old);
+  assert(CGAL::IO::read_wireframe_json(first, wireframe) && wireframe.curves.size() == theta_wireframe().curves.size());
+}
+
 // the parameters of a conic must be sound, and lead to the ends of its spline
 void test_bad_conics()
 {
@@ -313,6 +345,7 @@ int main()
   test_json_round_trip<CGAL::Simple_cartesian<float>>(3);
   test_json_details();
   test_replacing();
+  test_provenance();
   test_other_locale();
   return 0;
 }

@@ -4,6 +4,7 @@
 usage: test_wireframe_tool.py EXTRACT_WIREFRAME MAKE_CLOUD [options of unittest]
 """
 
+import csv
 import json
 import math
 import os
@@ -20,7 +21,7 @@ import unittest
 import unittest.mock
 
 from program_test import (BAD_INPUT, INTERNAL_ERROR, NO_FEATURE, SUCCESS, TIME_LIMIT, USAGE_ERROR, Program_test, main,
-                          read_cloud)
+                          read_cloud, without_provenance)
 
 HERE = pathlib.Path(__file__).resolve().parent
 WITH_CAD = os.environ.get("EXTRACT_WIREFRAME_WITH_CAD") == "1"   # whether the tool is built with OpenCASCADE
@@ -117,15 +118,16 @@ class Tool_test(Program_test):
         return self.refuse(exit_code, [name] + words, name, "-o", "out.json", *arguments)
 
     def read_text(self, name):
-        return (self.folder / name).read_text()
+        text = (self.folder / name).read_text()
+        return without_provenance(text) if name.endswith(".json") else text
 
     def read_json(self, name):
         def refuse_constant(text):
             raise AssertionError(f"{text} in {name}")
-        return json.loads((self.folder / name).read_text(), parse_constant=refuse_constant)
+        return json.loads(self.read_text(name), parse_constant=refuse_constant)
 
     def check_wireframe(self, wireframe):
-        self.assertEqual((wireframe["format"], wireframe["version"]), ("wireframe", 1))
+        self.assertEqual((wireframe["format"], wireframe["version"]), ("wireframe", 2))
         self.assertGreater(len(wireframe["curves"]), 0)
         for curve in wireframe["curves"]:
             self.assertEqual(len(curve["knots"]), len(curve["control_points"]) + curve["degree"] + 1)
@@ -226,6 +228,33 @@ class Tool_test(Program_test):
                 self.extract(cloud, "-o", "splines.json", "--splines-only")
                 curves = self.read_json("splines.json")["curves"]
                 self.assertEqual({curve["type"] for curve in curves}, {"bspline"})
+
+    def test_shared_features(self):
+        """The flange has six holes of one diameter on a circle, rims on one axis, and each hole has two rims."""
+        self.make_cloud(self.folder / "flange.ply", "flange", "--points", 20000)
+        self.extract("flange.ply", "--regularize", "--shared-features", "shared.csv", "--quiet")
+        with open(self.folder / "shared.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+
+        def numbers(row, *names):
+            return [float(row[name]) for name in names]
+        equal = [row for row in rows if row["kind"] == "equal_diameter"]
+        self.assertEqual(sorted(int(row["count"]) for row in equal), [2, 2, 12])
+        holes = max(equal, key=lambda row: int(row["count"]))
+        self.assertAlmostEqual(float(holes["diameter"]), 0.24, delta=2e-3)
+        coaxial = [row for row in rows if row["kind"] == "coaxial"]
+        self.assertEqual(sorted(int(row["count"]) for row in coaxial), [2] * 6 + [4])
+        bolts = [row for row in rows if row["kind"] == "bolt_circle"]
+        self.assertEqual([int(row["count"]) for row in bolts], [6, 6])
+        for row in bolts:
+            self.assertAlmostEqual(float(row["diameter"]), 1.36, delta=5e-3)
+            self.assertLess(max(map(abs, numbers(row, "center_x", "center_y"))), 3e-3)
+            self.assertAlmostEqual(abs(float(row["axis_z"])), 1, delta=1e-4)
+            self.assertLess(float(row["deviation"]), 3e-3)
+            self.assertLessEqual(set(row["curves"].split()), set(holes["curves"].split()))
+        self.extract(self.shared / "box.ply", "--shared-features", "none.csv", "--quiet")   # which has no circle
+        self.assertEqual((self.folder / "none.csv").read_bytes().count(b"\n"), 1)
+        self.refuse(USAGE_ERROR, ["--shared-features OUT.csv"], self.shared / "box.ply", "--shared-features", "a.json")
 
     def test_regularize(self):
         cloud = self.folder / "flange.ply"
@@ -527,6 +556,33 @@ class Tool_test(Program_test):
         if shutil.which("zsh"):
             subprocess.run(["zsh", "-n", "-c", zsh], check=True)
 
+    def test_provenance(self):
+        """The wireframe tells what it comes from, the same wherever the cloud is and however many threads are at work."""
+        os.mkdir(self.folder / "a")
+        shutil.copy(self.shared / "box.ply", self.folder / "a/box.ply")
+        self.extract("a/box.ply", "--regularize", "--threads", "1", "--unit", "in", "-o", "a.json")
+        self.extract(self.shared / "box.ply", "--regularize", "--unit", "in", "-o", "b.json")
+        self.assertEqual((self.folder / "a.json").read_bytes(), (self.folder / "b.json").read_bytes())
+        provenance = json.loads((self.folder / "a.json").read_text())["provenance"]
+        self.assertRegex(provenance["program"], r"^extract_wireframe \d")
+        self.assertEqual((provenance["inputs"], provenance["unit"]), (["box.ply"], "in"))
+        self.assertEqual(provenance["options"], {"--regularize": "true"})
+        self.assertGreater(provenance["noise_level"], 0)
+        self.assertIn("parallel", " ".join(provenance["regularities"]))
+
+    def test_place_of_distances(self):
+        """The summary names the column that was taken for the distance, and a note that which cannot be one."""
+        self.assertRegex(self.extract(self.shared / "box.ply", "-o", "a.json"), r'(?m)^Distances +the property "\w+"$')
+        rows = "".join(" ".join(map(repr, row)) + "\n" for row in self.box)
+        (self.folder / "four.xyz").write_text(rows)
+        self.assertRegex(self.extract("four.xyz", "-o", "a.json"), r"(?m)^Distances +column 4$")
+        (self.folder / "named.csv").write_text("x,y,z,scalar_distance\n" + rows.replace(" ", ","))
+        self.assertRegex(self.extract("named.csv", "-o", "a.json"), r'(?m)^Distances +column 4, "scalar_distance"$')
+        (self.folder / "other.csv").write_text("x,y,z,intensity\n" + rows.replace(" ", ","))
+        said = self.extract("other.csv", "-o", "a.json")
+        self.assertIn('"intensity" is no distance', said)
+        self.assertNotRegex(said, "(?m)^Distances")
+
     @unittest.skipUnless(os.path.exists("/dev/stdin"), "there is no /dev/stdin")
     def test_standard_streams(self):
         self.extract(self.shared / "box.ply", "-o", "expected.json")
@@ -536,7 +592,7 @@ class Tool_test(Program_test):
             done = subprocess.run([self.tool, "-", "--input-format", name, "-o", "-", "--output-format", ".json"],
                                   input=content, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=self.folder)
             self.assertEqual(done.returncode, SUCCESS, done.stderr)
-            self.assertEqual(done.stdout.decode(), self.read_text("expected.json"))
+            self.assertEqual(without_provenance(done.stdout.decode()), self.read_text("expected.json"))
             self.assertIn(b"Curves      12 lines", done.stderr)
         with open(self.shared / "box.ply", "rb") as stream:
             done = subprocess.run([self.tool, "-", "--input-format", "ply", "-o", "-", "--output-format", "csv", "-o", "a.json",

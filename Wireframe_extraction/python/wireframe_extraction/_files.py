@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _core
+from . import _core, _numbers
 from ._curve import checked_step
 from ._messages import as_text
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 _CAD = (".step", ".stp", ".iges", ".igs", ".brep")
 _OTHERS = (".json", ".dxf", ".obj", ".ply", ".vtp", ".gltf", ".glb", ".svg", ".csv", ".txt", ".cgal")
-_POLYLINES = (".obj", ".ply", ".vtp", ".gltf", ".glb", ".svg", ".txt", ".cgal")
+_POLYLINES = (".obj", ".ply", ".vtp", ".gltf", ".glb", ".txt", ".cgal")
 _UNITS = ("um", "mm", "cm", "m", "in", "ft")
 
 
@@ -98,20 +98,33 @@ def _os_error(message: str, name: Any) -> OSError:
     return OSError(errno.EIO, message, name)
 
 
-def _check_arguments(name: Any, extension: str, unit: Any, step: Any, obj_splines: Any, schema: Any) -> None:
+def _check_arguments(name: Any, extension: str, unit: Any, step: Any, chord_tolerance: Any, splines: dict[str, Any],
+                     schema: Any) -> None:
     """Refuse what is wrong, and what has no effect on a format."""
     if extension not in (*_CAD, *_OTHERS, ".html"):
         raise ValueError(f"{as_text(name)}: unknown extension {extension!r} of a wireframe; known are "
                          f"{', '.join((*_CAD, *_OTHERS, '.html'))}")
     check_unit(unit)
-    if not isinstance(obj_splines, (bool, np.bool_)):
-        raise TypeError(f"obj_splines is {obj_splines!r}; it has to be True or False")
+    for what, value in splines.items():
+        if not isinstance(value, (bool, np.bool_)):
+            raise TypeError(f"{what} is {value!r}; it has to be True or False")
     if schema not in ("ap214", "ap242"):
         raise ValueError(f"schema is {schema!r}; it has to be 'ap214' or 'ap242'")
-    for what, is_given, formats in (("step", step is not None, _POLYLINES), ("obj_splines", obj_splines, (".obj",)),
+    for what, is_given, formats in (("step", step is not None, _POLYLINES),
+                                    ("chord_tolerance", chord_tolerance is not None, _POLYLINES),
+                                    ("obj_splines", splines["obj_splines"], (".obj",)),
+                                    ("dxf_splines", splines["dxf_splines"], (".dxf",)),
                                     ("schema", schema != "ap214", (".step", ".stp"))):
         if is_given and extension not in formats:
             raise ValueError(f"{what} has no effect on {extension}; it goes with {', '.join(formats)}")
+
+
+def checked_tolerance(chord_tolerance: Any) -> float:
+    """Return a positive tolerance, or raise ValueError."""
+    number = _numbers.real("chord_tolerance", chord_tolerance)
+    if not number > 0.0:
+        raise ValueError(f"chord_tolerance is {number}; it has to be positive")
+    return number
 
 
 def check_unit(unit: Any) -> None:
@@ -120,11 +133,13 @@ def check_unit(unit: Any) -> None:
         raise ValueError(f"unit is {unit!r}; it has to be one of {', '.join(_UNITS)}")
 
 
-def write(wireframe: Wireframe, path: Any, unit: Any, step: Any, obj_splines: Any, schema: str) -> None:
+def write(wireframe: Wireframe, path: Any, unit: Any, step: Any, chord_tolerance: Any, obj_splines: Any,
+          dxf_splines: Any, schema: str) -> None:
     """Write a wireframe into a file. See `Wireframe.write()`."""
     name = os.fspath(path)
     extension = os.path.splitext(os.fsdecode(name))[1].lower()
-    _check_arguments(name, extension, unit, step, obj_splines, schema)
+    _check_arguments(name, extension, unit, step, chord_tolerance,
+                     {"obj_splines": obj_splines, "dxf_splines": dxf_splines}, schema)
     problem = wireframe._core.problem()
     if problem:
         raise ValueError(f"the wireframe is not valid: {problem}")
@@ -135,10 +150,13 @@ def write(wireframe: Wireframe, path: Any, unit: Any, step: Any, obj_splines: An
         return
     length = sum(curve.length for curve in wireframe.curves)
     checked = 0.0 if step is None else checked_step(step, length)
+    tolerance = 0.0 if chord_tolerance is None else checked_tolerance(chord_tolerance)
     try:
         if extension in _CAD:
             _write_cad(wireframe, os.fsencode(name), extension, unit, schema)
         else:
-            _core.write(wireframe._core, os.fsencode(name), unit, checked, bool(obj_splines))
-    except ValueError as error:   # all that could be wrong with the arguments is looked at above
+            _core.write(wireframe._core, os.fsencode(name), unit, checked, tolerance, bool(obj_splines), bool(dxf_splines))
+    except ValueError as error:   # all else that could be wrong with the arguments is looked at above
+        if "give a larger chord_tolerance" in str(error):
+            raise
         raise _os_error(str(error), name) from None

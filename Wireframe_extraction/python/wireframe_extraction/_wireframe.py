@@ -123,7 +123,8 @@ class Wireframe:
         """
         return self._core.distances(_arrays.finite_points(points))
 
-    def write(self, path: Path, *, unit: Unit = "mm", step: Real | None = None, obj_splines: Flag = False,
+    def write(self, path: Path, *, unit: Unit = "mm", step: Real | None = None, chord_tolerance: Real | None = None,
+              obj_splines: Flag = False, dxf_splines: Flag = False,
               schema: Literal["ap214", "ap242"] = "ap214") -> None:
         """Write the wireframe into a file, in the format that the extension names.
 
@@ -138,8 +139,13 @@ class Wireframe:
             What the coordinates are in, for formats that say so; nothing is converted.
         step : float, optional
             Of polylines, the largest length between two points; a quarter of the sampling distance if it is not given.
+        chord_tolerance : float, optional
+            Of polylines, how far they may be from their curves; a line is one piece then, unless `step` is given.
         obj_splines : bool
             Whether .obj has free-form curves instead of polylines.
+        dxf_splines : bool
+            Whether .dxf has splines instead of circles, ellipses and arcs that are tilted against the xy plane, for
+            programs that flatten these or put them elsewhere.
         schema : {"ap214", "ap242"}
             The application protocol of .step and .stp.
 
@@ -153,7 +159,7 @@ class Wireframe:
         ImportError
             If the module was built without OpenCASCADE, which .step, .iges and .brep need.
         """
-        _files.write(self, path, unit, step, obj_splines, schema)
+        _files.write(self, path, unit, step, chord_tolerance, obj_splines, dxf_splines, schema)
 
     def to_html(self, points: npt.ArrayLike | None = None, distances: npt.ArrayLike | None = None, *,
                 title: str = "Wireframe", unit: Unit = "mm") -> str:

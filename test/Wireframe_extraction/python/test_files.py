@@ -47,6 +47,7 @@ def test_options(box_wireframe, tmp_path):
     box_wireframe.write(tmp_path / "fine.obj", step=0.001)
     assert (tmp_path / "fine.obj").stat().st_size > 10 * (tmp_path / "coarse.obj").stat().st_size
     box_wireframe.write(tmp_path / "splines.obj", obj_splines=True)
+    box_wireframe.write(tmp_path / "splines.dxf", dxf_splines=True)
     assert "cstype" in (tmp_path / "splines.obj").read_text()
     box_wireframe.write(tmp_path / "feet.dxf", unit="ft")
     assert (tmp_path / "feet.dxf").read_text() != (box_wireframe.write(tmp_path / "mm.dxf"),
@@ -102,7 +103,7 @@ def test_bad_options(box_wireframe, arguments, text, tmp_path):
 
 @pytest.mark.parametrize("text, message", [
     ("", "empty"), ("{", "no valid JSON"), ("{}", "is no wireframe"),
-    ('{"format":"wireframe","version":2}', "version 2"),
+    ('{"format":"wireframe","version":3}', "version 3"),
     ('{"format":"wireframe","version":1,"sampling_distance":1,"vertices":[],"curves":[{"type":"x"}]}', "curve 0"),
 ])
 def test_bad_wireframes(text, message, tmp_path):
@@ -249,7 +250,11 @@ def test_folder_in_place_of_a_file(tmp_path):
 
 @pytest.mark.parametrize("name, arguments, error, text", [
     ("a.obj", {"obj_splines": "no"}, TypeError, "obj_splines is 'no'"), ("a.json", {"step": 0.1}, ValueError, "step"),
-    ("a.json", {"schema": "ap242"}, ValueError, ".step"), ("a.ply", {"obj_splines": True}, ValueError, ".obj")])
+    ("a.json", {"schema": "ap242"}, ValueError, ".step"), ("a.obj", {"dxf_splines": True}, ValueError, ".dxf"),
+    ("a.dxf", {"dxf_splines": 1}, TypeError, "dxf_splines is 1"),
+    ("a.svg", {"chord_tolerance": 0.1}, ValueError, "chord_tolerance"),
+    ("a.ply", {"chord_tolerance": -1.0}, ValueError, "positive"),
+    ("a.ply", {"chord_tolerance": 1e-300}, ValueError, "give a larger chord_tolerance"), ("a.ply", {"obj_splines": True}, ValueError, ".obj")])
 def test_arguments_without_effect(box_wireframe, name, arguments, error, text, tmp_path):
     with pytest.raises(error, match=text):
         box_wireframe.write(tmp_path / name, **arguments)

@@ -27,7 +27,10 @@ struct Wireframe_provenance
   std::vector<std::string> inputs;                          ///< the names of the files that it was made from
   std::vector<std::pair<std::string, std::string>> options; ///< what the program was told: names and values
   double noise_level = 0.; ///< the errors of the distances, in the unit of the cloud; 0 where they are not known
-  std::vector<std::string> warnings; ///< what the program warned of
+  std::vector<std::string> warnings;     ///< what the program warned of
+  std::vector<std::string> regularities; ///< `Wireframe_extraction_report::regularities`
+  std::string unit;                      ///< what one unit of the coordinates is, if it is known: `um`, `mm`, `cm`,
+                                         ///< `m`, `in` or `ft`
 };
 
 } // namespace CGAL

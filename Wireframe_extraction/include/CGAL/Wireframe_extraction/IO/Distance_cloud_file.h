@@ -137,6 +137,10 @@ public:
   /// it was read.
   const std::string& assumption() const { return m_assumption; }
 
+  /// returns what of the file holds the distances, such as `column 4`, in words for people; empty if nothing does, if
+  /// they are in a file of their own, and before the file was read.
+  const std::string& distance_place() const { return m_distance_place; }
+
   /// returns how many points were left out when the file was read last, since they are invalid.
   std::size_t number_of_skipped() const { return m_number_of_skipped; }
 
@@ -146,14 +150,15 @@ private:
   class Chunk_sink : public internal::Sample_sink
   {
   public:
-    Chunk_sink(const Sink& sink, bool& has_distances, std::string& assumption)
-      : m_sink(sink), m_has_distances(has_distances), m_assumption(assumption)
+    Chunk_sink(const Sink& sink, bool& has_distances, std::string& assumption, std::string& place)
+      : m_sink(sink), m_has_distances(has_distances), m_assumption(assumption), m_place(place)
     {}
 
-    void describe(bool has_distances, const std::string& assumption) override
+    void describe(bool has_distances, const std::string& assumption, const std::string& place) override
     {
       m_has_distances = has_distances;
       m_assumption = assumption;
+      m_place = place;
     }
 
     bool operator()(const internal::Distance_sample* first, const internal::Distance_sample* last) override
@@ -170,7 +175,7 @@ private:
   private:
     const Sink& m_sink;
     bool& m_has_distances;
-    std::string& m_assumption;
+    std::string &m_assumption, &m_place;
     std::vector<Sample> m_chunk;
     bool m_is_stopped = false;
   };
@@ -189,12 +194,12 @@ private:
         return error;
       options.distances = &distances;
     }
-    Chunk_sink chunks(sink, m_has_distances, m_assumption);
+    Chunk_sink chunks(sink, m_has_distances, m_assumption, m_distance_place);
     const std::string error = internal::read_cloud(m_filename, options, libraries, chunks, m_number_of_skipped);
     return chunks.is_stopped() ? std::string() : error;
   }
 
-  std::string m_filename, m_distances_filename, m_assumption;
+  std::string m_filename, m_distances_filename, m_assumption, m_distance_place;
   bool m_has_distances_file = false, m_has_distances = true;
   internal::Cloud_reader_options m_options;
   std::string m_error;

@@ -19,6 +19,7 @@
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/wireframe_tools.h>
 #include <CGAL/Wireframe_extraction/Spline_curve_3.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/Wireframe_provenance.h>
 #include <CGAL/Wireframe_extraction/parameters.h>
 
 #include <cstddef>
@@ -34,13 +35,15 @@ namespace internal {
 
 // Reads a wireframe, and says what is wrong.
 template <class GeomTraits>
-std::string read_json_as(std::istream& stream, const GeomTraits& traits, CGAL::Wireframe<GeomTraits>& wireframe)
+std::string read_json_as(std::istream& stream, const GeomTraits& traits, CGAL::Wireframe<GeomTraits>& wireframe,
+                         Wireframe_provenance* provenance)
 {
   typedef typename GeomTraits::FT FT;
   const Plain_traits plain_traits;
   Plain_wireframe plain;
   std::string error;
-  if (!read_json(stream, plain, error))
+  Wireframe_provenance origin;
+  if (!read_json(stream, plain, origin, error))
     return error;
   const Wireframe_converter<Plain_traits, GeomTraits> convert(plain_traits, traits);
   // what is valid in double need not be so in numbers of less precision
@@ -57,14 +60,27 @@ std::string read_json_as(std::istream& stream, const GeomTraits& traits, CGAL::W
   if constexpr (!std::is_same<FT, double>::value)
     error = wireframe_problem(result, traits);
   if (error.empty())
+  {
     wireframe = std::move(result);
+    if (provenance != nullptr)
+      *provenance = std::move(origin);
+  }
   return error;
+}
+
+// where to tell what the file says of where the wireframe comes from, or nothing
+template <class NamedParameters>
+Wireframe_provenance* wanted_provenance(const NamedParameters& np)
+{
+  return CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::Wireframe_extraction::internal_np::provenance),
+    static_cast<Wireframe_provenance*>(nullptr));
 }
 
 } // namespace internal
 
 /// \ingroup PkgWireframeExtractionIO
-/// reads a wireframe from a stream of wireframe JSON, version 1, as `write_wireframe_json()` writes it.
+/// reads a wireframe from a stream of wireframe JSON, version 2, as `write_wireframe_json()` writes it, or version 1.
 ///
 /// Everything is checked: the format and its version, that all numbers are finite, that degree, knots,
 /// control points and weights of a curve make a clamped B-spline, that its vertices exist, that an open curve
@@ -84,6 +100,12 @@ std::string read_json_as(std::istream& stream, const GeomTraits& traits, CGAL::W
 ///     \cgalParamType{`std::string*`}
 ///     \cgalParamDefault{a null pointer: nothing is received}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{provenance}
+///     \cgalParamDescription{receives what the file tells of where the wireframe comes from; emptied if that is
+///                           nothing}
+///     \cgalParamType{`CGAL::Wireframe_provenance*`}
+///     \cgalParamDefault{a null pointer: nothing is received}
+///   \cgalParamNEnd
 ///   \wireframeParamTraits
 /// \cgalNamedParamsEnd
 ///
@@ -96,11 +118,11 @@ bool read_wireframe_json(std::istream& stream, CGAL::Wireframe<GeomTraits>& wire
                          const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   const GeomTraits traits = internal::get_geom_traits<GeomTraits>(np);
-  return internal::report(np, internal::read_json_as(stream, traits, wireframe));
+  return internal::report(np, internal::read_json_as(stream, traits, wireframe, internal::wanted_provenance(np)));
 }
 
 /// \ingroup PkgWireframeExtractionIO
-/// reads a wireframe from a file of wireframe JSON, version 1.
+/// reads a wireframe from a file of wireframe JSON, version 2 or 1.
 ///
 /// What is read and checked is that of the overload for a stream.
 ///
@@ -126,7 +148,7 @@ bool read_wireframe_json(const std::string& filename, CGAL::Wireframe<GeomTraits
   std::string error;
   if (internal::open_input_file(filename, stream, error))
   {
-    error = internal::read_json_as(stream, traits, wireframe);
+    error = internal::read_json_as(stream, traits, wireframe, internal::wanted_provenance(np));
     if (!error.empty())
       error = filename + ": " + error;
   }

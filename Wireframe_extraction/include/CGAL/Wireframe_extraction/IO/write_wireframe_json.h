@@ -25,11 +25,12 @@ namespace CGAL {
 namespace IO {
 
 /// \ingroup PkgWireframeExtractionIO
-/// writes a wireframe into a stream as wireframe JSON, version 1.
+/// writes a wireframe into a stream as wireframe JSON, version 2.
 ///
 /// This is the only format that keeps everything: `read_wireframe_json()` gives back the same wireframe, to
 /// the last bit if the number type is `double`. The object has the keys `format` ("wireframe"), `version`
-/// (1), `sampling_distance`, `vertices` (an array of points) and `curves`. Each curve has `type` ("bspline",
+/// (2), `sampling_distance`, `provenance` (an object with the members of `Wireframe_provenance` that are known, if any
+/// is), `vertices` (an array of points) and `curves`. Each curve has `type` ("bspline",
 /// "line", "circle", "arc", "ellipse" or "elliptic_arc"), `closed`, `source` and `target` (indices of
 /// vertices, `null` on a closed curve without vertex), `degree`, `knots`, `control_points`, `weights` (if it
 /// is rational), and how well the cloud supports it: `rms`, `max` (both in the unit of the wireframe) and
@@ -45,6 +46,7 @@ namespace IO {
 /// \param np an optional sequence of named parameters among the ones listed below
 ///
 /// \cgalNamedParamsBegin
+///   \wireframeParamProvenance
 ///   \wireframeParamErrorMessage
 ///   \wireframeParamTraits
 /// \cgalNamedParamsEnd
@@ -59,12 +61,12 @@ bool write_wireframe_json(std::ostream& stream, const CGAL::Wireframe<GeomTraits
 {
   return internal::write_to_stream(stream, np, [&](std::ostream& out, std::string& error) {
     return internal::write_json(out, internal::plain_wireframe(wireframe, internal::get_geom_traits<GeomTraits>(np)),
-                                error);
+                                internal::get_provenance(np), error);
   });
 }
 
 /// \ingroup PkgWireframeExtractionIO
-/// writes a wireframe into a file as wireframe JSON, version 1.
+/// writes a wireframe into a file as wireframe JSON, version 2.
 ///
 /// The content is that of the overload for a stream.
 /// The file is written as a whole or not at all: on failure a file of this name is as it was before, and
@@ -78,6 +80,7 @@ bool write_wireframe_json(std::ostream& stream, const CGAL::Wireframe<GeomTraits
 /// \param np an optional sequence of named parameters among the ones listed below
 ///
 /// \cgalNamedParamsBegin
+///   \wireframeParamProvenance
 ///   \wireframeParamErrorMessage
 ///   \wireframeParamTraits
 /// \cgalNamedParamsEnd
@@ -92,7 +95,7 @@ bool write_wireframe_json(const std::string& filename, const CGAL::Wireframe<Geo
 {
   return internal::write_to_file(filename, np, [&](std::ostream& out, std::string& error) {
     return internal::write_json(out, internal::plain_wireframe(wireframe, internal::get_geom_traits<GeomTraits>(np)),
-                                error);
+                                internal::get_provenance(np), error);
   });
 }
 

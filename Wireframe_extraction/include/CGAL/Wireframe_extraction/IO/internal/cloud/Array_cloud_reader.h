@@ -55,7 +55,7 @@ public:
     Rows rows;
     if (find_rows(file, name, rows))
     {
-      sink.describe(m_options.distances != nullptr || m_has_distances, note);
+      sink.describe(m_options.distances != nullptr || m_has_distances, note, distance_place(&file, distances_index));
       return read_by_rows(file, rows, sink);
     }
     Number_array points, distances, indices;
@@ -68,7 +68,8 @@ public:
       return fail(no_distances_text(file, m_options));
     if (m_has_distances && !read_distances(file, points, points_word, distances))
       return false;
-    sink.describe(m_options.distances != nullptr || m_has_distances || m_has_distance_column, note);
+    sink.describe(m_options.distances != nullptr || m_has_distances || m_has_distance_column, note,
+                  distance_place(&file, distances_index, points.columns));
     return read_indices(file, points, points_word, indices)
       && hand_out(file.filename(), points, distances, indices, sink);
   }
@@ -85,7 +86,8 @@ public:
                   + ", so it has points but no distances; give the distances as a separate file, or as a fourth "
                     "column, or both arrays in one .npz file"
                   + m_options.estimate_text());
-    sink.describe(m_options.distances != nullptr || m_has_distance_column, note);
+    sink.describe(m_options.distances != nullptr || m_has_distance_column, note,
+                  distance_place(nullptr, 0, points.columns));
     return hand_out(filename, points, Number_array(), Number_array(), sink);
   }
 
@@ -113,6 +115,17 @@ public:
   }
 
 private:
+  // What holds the distances: an array of its own, or a column, which may have a name. Nothing if there are none.
+  std::string distance_place(const Array_file* file, std::size_t index,
+                             const std::vector<std::string>& columns = std::vector<std::string>()) const
+  {
+    if (m_has_distances)
+      return std::string("the ") + file->word_for_array() + " " + quote(file->names()[index]);
+    if (!m_has_distance_column)
+      return std::string();
+    return "column " + std::to_string(m_columns[3] + 1) + (columns.empty() ? "" : ", " + quote(columns[m_columns[3]]));
+  }
+
   bool fail(const std::string& error)
   {
     m_error = error;

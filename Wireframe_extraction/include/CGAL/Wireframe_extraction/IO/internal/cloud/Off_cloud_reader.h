@@ -45,7 +45,7 @@ public:
     std::uint64_t count = 0;
     if (!read_header(count))
       return false;
-    sink.describe(m_options.distances != nullptr, std::string());
+    sink.describe(m_options.distances != nullptr, std::string(), std::string());
     std::vector<std::string_view> words;
     for (std::uint64_t done = 0; done < count; ++done)
     {

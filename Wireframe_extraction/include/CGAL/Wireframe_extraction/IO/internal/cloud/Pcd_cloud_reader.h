@@ -56,7 +56,7 @@ public:
       return false;
     const bool is_none_found = m_options.looks_for_distances() && m_number_of_wanted == 3;
     sink.describe(m_options.distances != nullptr || m_number_of_wanted == 4,
-                  is_none_found ? no_distance_note(m_names) : std::string());
+                  is_none_found ? no_distance_note(m_names) : std::string(), m_distance_place);
     return read_points(sink) && m_filter.is_cloud_usable(m_filename, m_error);
   }
 
@@ -191,6 +191,8 @@ private:
         return fail(m_filename + ": the field " + quote(m_names[index]) + " has the type " + std::string(1, field.type)
                     + " of size " + std::to_string(field.size) + ", which is no number");
       m_wanted[i] = field;
+      if (i == 3)
+        m_distance_place = "the field " + quote(m_names[index]);
     }
     return true;
   }
@@ -344,6 +346,7 @@ private:
   std::vector<std::string> m_names;
   std::vector<Field> m_fields;
   std::array<Field, 4> m_wanted;
+  std::string m_distance_place; // as words
   std::size_t m_number_of_wanted = 4, m_point_size = 0, m_number_of_columns = 0;
   std::uint64_t m_number_of_points = 0;
   Kind m_kind = Kind::ASCII;

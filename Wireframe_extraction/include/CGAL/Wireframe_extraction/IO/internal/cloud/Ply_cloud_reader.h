@@ -96,7 +96,10 @@ public:
     const bool is_none_found = m_options.looks_for_distances() && m_number_of_wanted == 3;
     sink.describe(m_options.distances != nullptr || m_number_of_wanted == 4,
                   is_none_found ? no_distance_note(m_header.elements[m_vertex_element].property_names())
-                                : std::string());
+                                : std::string(),
+                  m_number_of_wanted == 4
+                    ? "the property " + quote(m_header.elements[m_vertex_element].properties[m_wanted[3].index].name)
+                    : std::string());
     for (std::size_t i = 0; i < m_vertex_element; ++i)
       if (!skip_element(m_header.elements[i]))
         return fail_truncated("in the element " + quote(m_header.elements[i].name) + ", before the vertices");

@@ -30,9 +30,9 @@ public:
   // how many samples there will be, where that can be trusted
   virtual void reserve(std::size_t) {}
 
-  // Is called before the first sample: whether distances are known (otherwise they are 0), and what was assumed about a
-  // file that does not say it.
-  virtual void describe(bool /*has_distances*/, const std::string& /*assumption*/) {}
+  // Is called before the first sample: whether distances are known (otherwise they are 0), what was assumed about a
+  // file that does not say it, and what of the file holds the distances, as words for people.
+  virtual void describe(bool /*has_distances*/, const std::string& /*assumption*/, const std::string& /*place*/) {}
 
   // returns whether more are wanted
   virtual bool operator()(const Distance_sample* first, const Distance_sample* last) = 0;

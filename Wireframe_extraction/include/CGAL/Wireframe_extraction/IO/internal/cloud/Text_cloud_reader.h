@@ -58,7 +58,7 @@ public:
       {
         if (!find_columns(fields))
           return false;
-        sink.describe(m_options.distances != nullptr || m_number_of_wanted == 4, m_assumption);
+        sink.describe(m_options.distances != nullptr || m_number_of_wanted == 4, m_assumption, distance_place());
       }
       if (!read_row(fields, sink))
         return false;
@@ -168,9 +168,16 @@ private:
                                                       : find_distance_column_beside_coordinates()))
       return false;
     if (m_number_of_wanted == 4)
-      m_filter.set_distance_place(" in column " + std::to_string(m_columns[3] + 1)
-                                  + (m_names.empty() ? "" : ", " + quote(m_names[m_columns[3]]) + ","));
+      m_filter.set_distance_place(" in " + distance_place() + (m_names.empty() ? "" : ","));
     return true;
+  }
+
+  // the column with the distances
+  std::string distance_place() const
+  {
+    if (m_number_of_wanted < 4)
+      return std::string();
+    return "column " + std::to_string(m_columns[3] + 1) + (m_names.empty() ? "" : ", " + quote(m_names[m_columns[3]]));
   }
 
   // What stands behind the coordinates of columns without names, where distances need not be there.

@@ -75,8 +75,8 @@ std::unique_ptr<Array_file> open_array_file(Cloud_format format, const std::stri
     return std::unique_ptr<Array_file>(file->open(error) ? file.release() : nullptr);
   }
   if (libraries.open_hdf5 == nullptr)
-    error = filename + ": " + lower_extension(filename)
-      + " needs HDF5, without which this program was built; build it "
+    error = filename
+      + ": its format needs HDF5, without which this program was built; build it "
         "with the CMake target CGAL::Wireframe_extraction_HDF5 (Debian: libhdf5-dev)";
   else if (stream.peek() == std::istream::traits_type::eof())
     error = filename + ": " + empty_file_text();

@@ -152,13 +152,18 @@ inline bool is_other_name(const std::string& name)
   return find_name(names, without_scalar_prefix(name)) < names.size();
 }
 
-// What the user shall know of a cloud in which no distance was found: which of its properties could be one.
+// What the user shall know of a cloud in which no distance was found: which of its properties could be one, or that the
+// only one beside the coordinates is none.
 inline std::string no_distance_note(const std::vector<std::string>& names)
 {
   std::vector<std::string> unknown;
   for (const std::string& name : names)
     if (!is_other_name(name))
       unknown.push_back(name);
+  if (unknown.empty() && names.size() == 4)
+    for (const std::string& name : names)
+      if (find_coordinate_name({name}, 0) + find_coordinate_name({name}, 1) + find_coordinate_name({name}, 2) == 3)
+        return quote(name) + " is no distance, so the file has none; distance_property names it if it is";
   return unknown.empty() ? std::string()
                          : "none of " + join(unknown)
       + " is known to be a distance, so the file has none; distance_property names the one that is";

@@ -27,6 +27,23 @@ inline std::string json_number(double value)
   return value == 0. ? std::string(std::signbit(value) ? "-0.0" : "0") : number_to_string(value);
 }
 
+// In quotes. What is no UTF-8 is not looked at.
+inline std::string json_string(const std::string& text)
+{
+  std::string result = "\"";
+  for (const char letter : text)
+  {
+    const unsigned char code = static_cast<unsigned char>(letter);
+    if (letter == '"' || letter == '\\')
+      result += '\\';
+    if (code >= 0x20)
+      result += letter;
+    else
+      result += std::string("\\u00") + "01"[code / 16] + "0123456789abcdef"[code % 16];
+  }
+  return result + "\"";
+}
+
 // "[a,b,c]"
 template <class Range, class To_text>
 std::string json_array(const Range& range, const To_text& to_text, const char* separator = ",")

@@ -13,6 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_READ_JSON_H
 
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/Plain_wireframe.h>
+#include <CGAL/Wireframe_extraction/Wireframe_provenance.h>
 #include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
 
 #include <istream>
@@ -30,8 +31,9 @@ namespace CGAL {
 namespace IO {
 namespace internal {
 
-// Reads a wireframe of wireframe JSON, version 1, which is valid then; else says what is wrong.
-bool read_json(std::istream& stream, Plain_wireframe& wireframe, std::string& error);
+// Reads a wireframe of wireframe JSON, version 1 or 2, which is valid then, and where it comes from; else says what is
+// wrong.
+bool read_json(std::istream& stream, Plain_wireframe& wireframe, Wireframe_provenance& provenance, std::string& error);
 
 } // namespace internal
 } // namespace IO

@@ -17,6 +17,7 @@
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/read_json.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/wireframe_tools.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/Wireframe_provenance.h>
 #include <CGAL/Wireframe_extraction/internal/base/text_tools.h>
 
 #include <nlohmann/json.hpp>
@@ -42,10 +43,12 @@ class Wireframe_json_reader
 public:
   typedef Plain_traits::Point_3 Point_3;
 
-  bool read(std::istream& stream, Plain_wireframe& wireframe)
+  bool read(std::istream& stream, Plain_wireframe& wireframe, Wireframe_provenance& provenance)
   {
     Json document;
-    return parse(stream, document) && check_format(document) && read_document(document, wireframe);
+    return parse(stream, document) && check_format(document)
+      && (!document.contains("provenance") || read_provenance(document["provenance"], provenance))
+      && read_document(document, wireframe);
   }
 
   const std::string& error() const { return m_error; }
@@ -88,8 +91,59 @@ private:
       return fail("is no wireframe: a wireframe is a JSON object with \"format\":\"wireframe\"");
     if (!document.contains("version") || !document["version"].is_number_integer())
       return fail("has no \"version\" that is an integer");
-    if (document["version"] != 1)
-      return fail("has version " + document["version"].dump() + ", only version 1 is known");
+    if (document["version"] != 1 && document["version"] != 2)
+      return fail("has version " + document["version"].dump() + ", only versions 1 and 2 are known");
+    return true;
+  }
+
+  // every member may be missing
+  bool read_provenance(const Json& json, Wireframe_provenance& provenance)
+  {
+    Wireframe_provenance result;
+    if (!json.is_object())
+      return fail("\"provenance\" is " + brief(json) + ", it has to be an object");
+    if (!read_text(json, "program", result.program) || !read_text(json, "unit", result.unit)
+        || (json.contains("noise_level") && !read_number(json, "noise_level", result.noise_level))
+        || !read_texts(json, "inputs", result.inputs) || !read_texts(json, "warnings", result.warnings)
+        || !read_texts(json, "regularities", result.regularities))
+      return false;
+    if (json.contains("options"))
+    {
+      if (!json["options"].is_object())
+        return fail("\"options\" is " + found(json, "options") + ", it has to be an object");
+      for (const auto& option : json["options"].items())
+        if (option.value().is_string())
+          result.options.emplace_back(option.key(), option.value().get<std::string>());
+        else
+          return fail("\"options\" holds " + brief(option.value()) + ", which is no text");
+    }
+    provenance = std::move(result);
+    return true;
+  }
+
+  bool read_text(const Json& json, const char* key, std::string& text)
+  {
+    if (!json.contains(key))
+      return true;
+    if (!json[key].is_string())
+      return fail(quote(key) + " is " + found(json, key) + ", it has to be a text");
+    text = json[key].get<std::string>();
+    return true;
+  }
+
+  bool read_texts(const Json& json, const char* key, std::vector<std::string>& texts)
+  {
+    const Json* array = nullptr;
+    if (!json.contains(key))
+      return true;
+    if (!find_array(json, key, array))
+      return false;
+    for (const Json& value : *array)
+    {
+      if (!value.is_string())
+        return fail(quote(key) + " holds " + brief(value) + ", which is no text");
+      texts.push_back(value.get<std::string>());
+    }
     return true;
   }
 
@@ -340,10 +394,10 @@ private:
 };
 
 CGAL_WIREFRAME_EXTRACTION_JSON_INLINE
-bool read_json(std::istream& stream, Plain_wireframe& wireframe, std::string& error)
+bool read_json(std::istream& stream, Plain_wireframe& wireframe, Wireframe_provenance& provenance, std::string& error)
 {
   Wireframe_json_reader reader;
-  reader.read(stream, wireframe);
+  reader.read(stream, wireframe, provenance);
   error = reader.error();
   return error.empty();
 }

@@ -13,6 +13,7 @@
 #define CGAL_WIREFRAME_EXTRACTION_IO_INTERNAL_WIREFRAME_WRITE_JSON_H
 
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/Plain_wireframe.h>
+#include <CGAL/Wireframe_extraction/Wireframe_provenance.h>
 #include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
 
 #include <ostream>
@@ -23,7 +24,8 @@ namespace IO {
 namespace internal {
 
 // Writes a wireframe as wireframe JSON; says what went wrong.
-bool write_json(std::ostream& out, const Plain_wireframe& wireframe, std::string& error);
+bool write_json(std::ostream& out, const Plain_wireframe& wireframe, const Wireframe_provenance& provenance,
+                std::string& error);
 
 } // namespace internal
 } // namespace IO

@@ -17,12 +17,14 @@
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/wireframe_tools.h>
 #include <CGAL/Wireframe_extraction/IO/internal/wireframe/write_json.h>
 #include <CGAL/Wireframe_extraction/Wireframe.h>
+#include <CGAL/Wireframe_extraction/Wireframe_provenance.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace IO {
@@ -72,14 +74,45 @@ inline std::string json_curve(const Plain_curve& curve)
     + json_array(curve.doubts, [](Wireframe_doubt doubt) { return "\"" + to_string(doubt) + "\""; }) + "}";
 }
 
+// what is known of where the wireframe comes from, as a line of its own; nothing if nothing is
+inline std::string json_provenance(const Wireframe_provenance& provenance)
+{
+  std::string members;
+  const auto add = [&members](const char* name, const std::string& value) {
+    members += std::string(members.empty() ? "" : ",") + "\"" + name + "\":" + value;
+  };
+  const auto add_texts = [&add](const char* name, const std::vector<std::string>& texts) {
+    if (!texts.empty())
+      add(name, json_array(texts, json_string));
+  };
+  if (!provenance.program.empty())
+    add("program", json_string(provenance.program));
+  add_texts("inputs", provenance.inputs);
+  std::string options;
+  for (const auto& option : provenance.options)
+    options += (options.empty() ? "" : ",") + json_string(option.first) + ":" + json_string(option.second);
+  if (!options.empty())
+    add("options", "{" + options + "}");
+  if (!provenance.unit.empty())
+    add("unit", json_string(provenance.unit));
+  if (provenance.noise_level > 0. && std::isfinite(provenance.noise_level))
+    add("noise_level", json_number(provenance.noise_level));
+  add_texts("warnings", provenance.warnings);
+  add_texts("regularities", provenance.regularities);
+  return members.empty() ? members : " \"provenance\":{" + members + "},\n";
+}
+
 CGAL_WIREFRAME_EXTRACTION_INLINE
-bool write_json(std::ostream& out, const Plain_wireframe& wireframe, std::string& error)
+bool write_json(std::ostream& out, const Plain_wireframe& wireframe, const Wireframe_provenance& provenance,
+                std::string& error)
 {
   error = wireframe_problem(wireframe, Plain_traits());
   if (!error.empty())
     return false;
-  out << "{\"format\":\"wireframe\",\"version\":1,\"sampling_distance\":" << json_number(wireframe.sampling_distance)
-      << ",\n \"vertices\":" << json_array(wireframe.vertices, json_point, ",\n  ") << ",\n \"curves\":[";
+  out << "{\"format\":\"wireframe\",\"version\":2,\"sampling_distance\":" << json_number(wireframe.sampling_distance)
+      << ",\n"
+      << json_provenance(provenance) << " \"vertices\":" << json_array(wireframe.vertices, json_point, ",\n  ")
+      << ",\n \"curves\":[";
   for (std::size_t i = 0; i < wireframe.curves.size(); ++i)
     out << (i == 0 ? "" : ",\n  ") << json_curve(wireframe.curves[i]);
   out << "]}\n";
