@@ -154,7 +154,7 @@ std::vector<Station> stations_on(const Polyline& polyline, double deviation = 0.
     station.position = station.followed = walk.advance_to(station.parameter);
     station.tangent = walk.segment().normalized();
     station.information =
-      (Eigen::Matrix3d::Identity() - station.tangent * station.tangent.transpose()) / (deviation * deviation);
+      (Matrix_3::Identity() - Matrix_3::outer(station.tangent, station.tangent)) / (deviation * deviation);
     station.support = 8;
     result.push_back(station);
   }
@@ -285,7 +285,7 @@ void test_gaps()
     if (std::abs((station.position - circle.center).norm() - 15.) > 0.05)
     {
       station.support = 0;
-      station.information.setZero();
+      station.information = Matrix_3::Zero();
     }
   assert(follows(circle, stations, bridged));
   // a gap between the sides of the long ellipse is none that it may leave the part over
@@ -295,7 +295,7 @@ void test_gaps()
     if (station.position.x() < 1.)
     {
       station.support = 0;
-      station.information.setZero();
+      station.information = Matrix_3::Zero();
     }
   Primitive_curve sides;
   sides.kind = Primitive_kind::ELLIPSE;

@@ -55,7 +55,7 @@ Station station(const Vector& place, const Vector& tangent, double deviation)
   result.followed = place;
   result.tangent = tangent;
   result.position = place + deviation * (error - error.dot(tangent) * tangent);
-  result.information = (Eigen::Matrix3d::Identity() - tangent * tangent.transpose()) / (deviation * deviation);
+  result.information = (Matrix_3::Identity() - Matrix_3::outer(tangent, tangent)) / (deviation * deviation);
   result.support = 8;
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include "drawn_curves.h"
 
+#include <CGAL/Wireframe_extraction/internal/base/Matrix_3.h>
 #include <CGAL/Wireframe_extraction/internal/base/different_positions.h>
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_end_joiner.h>
@@ -13,6 +14,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -234,7 +236,7 @@ void test_foot_derivatives()
       curve.major = curve.axis.unitOrthogonal();
       curve.major_radius = curve.minor_radius = 3. + random_vector(random, 1.).norm();
       const Vector p = random_vector(random, 6.);
-      Eigen::Matrix<double, 3, Primitive_curve::most_parameters> columns;
+      std::array<Vector, Primitive_curve::most_parameters> columns;
       curve.foot_derivatives(p, columns);
       for (int i = 0; i < curve.number_of_parameters(); ++i)
       {
@@ -243,9 +245,45 @@ void test_foot_derivatives()
         const Vector ahead = curve.moved(step).foot(p);
         step[i] = -1e-6;
         const Vector difference = (ahead - curve.moved(step).foot(p)) / 2e-6;
-        assert((columns.col(i) - difference).norm() < 1e-4 * (1. + difference.norm()));
+        assert((columns[i] - difference).norm() < 1e-4 * (1. + difference.norm()));
       }
     }
+}
+
+// what Eigen gives, to the last bit
+void test_matrix()
+{
+  typedef Eigen::Matrix3d Expected;
+  std::mt19937 random(5);
+  const auto check = [](const Expected& expected, const Matrix_3& found) {
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        assert(found(i, j) == expected(i, j) && found.column(j)[i] == expected(i, j));
+  };
+  for (int round = 0; round < 500; ++round)
+  {
+    Expected a, b;
+    Matrix_3 m, n;
+    for (int i = 0; i < 3; ++i)
+    {
+      const Vector row = random_vector(random, 1.), other = random_vector(random, 1.);
+      a.row(i) = row.transpose();
+      b.row(i) = other.transpose();
+      m.set_row(i, row);
+      n.set_row(i, other);
+    }
+    const Vector v = random_vector(random, 1.), w = random_vector(random, 1.);
+    const double s = v.dot(w);
+    check(a + b * a, m + n * m);
+    check(a * b * a.transpose(), m * n * m.transposed());
+    check(a / s - s * Expected::Identity(), m / s - s * Matrix_3::Identity());
+    check(s * v * w.transpose(), Matrix_3::outer(s * v, w));
+    assert(m * v == Vector(a * v) && (s * m) * v == Vector(s * a * v));
+    assert(m.transposed_times(v) == Vector(a.transpose() * v));
+    assert(m.trace() == a.trace() && m.is_finite());
+    m(round % 3, round / 3 % 3) = std::numeric_limits<double>::infinity();
+    assert(!m.is_finite());
+  }
 }
 
 void test_different_positions()
@@ -275,6 +313,7 @@ int main()
   test_nearest_feet();
   test_surface_evidence();
   test_foot_derivatives();
+  test_matrix();
   test_different_positions();
   return 0;
 }

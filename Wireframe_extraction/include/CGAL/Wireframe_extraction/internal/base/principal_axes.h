@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_BASE_PRINCIPAL_AXES_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_BASE_PRINCIPAL_AXES_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Matrix_3.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/base/inline_function.h>
 
@@ -29,13 +30,13 @@ struct Principal_axes
 };
 
 // One function, since the solver takes long to compile.
-Principal_axes principal_axes(const Eigen::Matrix3d& matrix);
+Principal_axes principal_axes(const Matrix_3& matrix);
 
 // The mean of some points, and the sum of the products of their offsets from it.
 struct Scatter
 {
   Vector mean = Vector::Zero();
-  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+  Matrix_3 matrix = Matrix_3::Zero();
 };
 
 // of `position(i)` with the weight `weight(i)`, for each i of a range that is not empty
@@ -53,7 +54,7 @@ Scatter scatter(const Range& range, const Position& position, const Weight& weig
   for (const auto& i : range)
   {
     const Vector offset = position(i) - result.mean;
-    result.matrix += weight(i) * offset * offset.transpose();
+    result.matrix += Matrix_3::outer(weight(i) * offset, offset);
   }
   return result;
 }

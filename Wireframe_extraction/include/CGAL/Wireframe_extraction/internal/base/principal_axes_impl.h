@@ -20,9 +20,9 @@ namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
 
-CGAL_WIREFRAME_EXTRACTION_INLINE Principal_axes principal_axes(const Eigen::Matrix3d& matrix)
+CGAL_WIREFRAME_EXTRACTION_INLINE Principal_axes principal_axes(const Matrix_3& matrix)
 {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(Eigen::Matrix3d(matrix.data()));
   Principal_axes result;
   result.values = solver.eigenvalues();
   for (int k = 0; k < 3; ++k)

@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_INPUT_CHECKS_IMPL_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_CLOUD_INPUT_CHECKS_IMPL_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Matrix_3.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
 #include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/input_checks.h>
@@ -102,9 +103,9 @@ CGAL_WIREFRAME_EXTRACTION_INLINE int dimension(const std::vector<Vector>& positi
     offset /= extent;
     mean += offset / double(offsets.size());
   }
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  Matrix_3 covariance = Matrix_3::Zero();
   for (const Vector& offset : offsets)
-    covariance += (offset - mean) * (offset - mean).transpose() / double(offsets.size());
+    covariance += Matrix_3::outer(offset - mean, offset - mean) / double(offsets.size());
   const Vector variances = principal_axes(covariance).values;
   const auto is_there = [](double variance) { return int(variance > Input_limits::variance_rounding); };
   return is_there(variances[0]) + is_there(variances[1]) + is_there(variances[2]);

@@ -12,10 +12,9 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_POSITION_BELIEF_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_POSITION_BELIEF_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Matrix_3.h>
 #include <CGAL/Wireframe_extraction/internal/base/Symmetric_factorization.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <limits>
@@ -28,15 +27,15 @@ namespace internal {
 // about the same corner multiply.
 struct Position_belief
 {
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  Matrix_3 information = Matrix_3::Zero();
   Vector weighted = Vector::Zero(); // information * mean
   double constant = 0.;             // sum of mean^T information mean
 
   static Position_belief along_line(const Vector& mean, const Vector& direction, double along, double across)
   {
     Position_belief belief;
-    const Eigen::Matrix3d parallel = direction * direction.transpose();
-    belief.information = (Eigen::Matrix3d::Identity() - parallel) / (across * across);
+    const Matrix_3 parallel = Matrix_3::outer(direction, direction);
+    belief.information = (Matrix_3::Identity() - parallel) / (across * across);
     if (along < (std::numeric_limits<double>::infinity)())
       belief.information += parallel / (along * along);
     belief.weighted = belief.information * mean;

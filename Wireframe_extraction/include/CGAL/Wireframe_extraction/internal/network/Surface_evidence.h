@@ -11,6 +11,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SURFACE_EVIDENCE_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SURFACE_EVIDENCE_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Matrix_3.h>
 #include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/Symmetric_factorization.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
@@ -153,12 +154,12 @@ private:
     for (const Sample& sample : window.samples)
       mean += sample.offset;
     mean /= double(window.samples.size());
-    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    Matrix_3 moments = Matrix_3::Zero();
     for (const Sample& sample : window.samples)
     {
       Vector offset = sample.offset - mean;
       offset -= offset.dot(direction) * direction;
-      moments += offset * offset.transpose();
+      moments += Matrix_3::outer(offset, offset);
     }
     const Vector across = principal_axes(moments).axes[2];
     window.normal = direction.cross(across).normalized();

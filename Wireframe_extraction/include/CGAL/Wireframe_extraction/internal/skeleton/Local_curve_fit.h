@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_LOCAL_CURVE_FIT_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_SKELETON_LOCAL_CURVE_FIT_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Matrix_3.h>
 #include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
 #include <CGAL/Wireframe_extraction/internal/skeleton/Field_band.h>
 #include <CGAL/Wireframe_extraction/internal/skeleton/Local_curve.h>
@@ -99,7 +100,7 @@ public:
     query(center, radius);
     double total = 0.;
     Vector mean = Vector::Zero();
-    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    Matrix_3 moments = Matrix_3::Zero();
     for (std::size_t i : m_ball)
     {
       if (!accept(i))
@@ -109,7 +110,7 @@ public:
         std::exp(-m_band.distances[i] * m_band.distances[i]) * kernel(offset.squaredNorm() / (radius * radius));
       total += weight;
       mean += weight * offset;
-      moments += weight * offset * offset.transpose();
+      moments += Matrix_3::outer(weight * offset, offset);
     }
     Local_curve axis;
     axis.point = center;
@@ -117,7 +118,7 @@ public:
       return axis;
     mean /= total;
     axis.point = center + mean;
-    axis.tangent = principal_axes(moments / total - mean * mean.transpose()).axes[2];
+    axis.tangent = principal_axes(moments / total - Matrix_3::outer(mean, mean)).axes[2];
     return axis;
   }
 

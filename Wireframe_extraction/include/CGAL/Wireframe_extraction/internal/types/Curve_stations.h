@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_CURVE_STATIONS_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_CURVE_STATIONS_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Matrix_3.h>
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
 #include <CGAL/Wireframe_extraction/internal/skeleton/Field_band.h>
 #include <CGAL/Wireframe_extraction/internal/skeleton/polyline_feet.h>
@@ -30,12 +31,12 @@ namespace internal {
 // Where the field has a piece of a curve: the place, and how firmly it is held in each direction across the curve.
 struct Station
 {
-  double parameter = 0.;                                 // arc length along the curve that was followed
-  Vector position = Vector::Zero();                      // where the field has the curve
-  Vector followed = Vector::Zero();                      // where the curve that was followed is
-  Vector tangent = Vector::UnitX();                      // of the curve that was followed
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero(); // inverse covariance of the position; 0 along the tangent
-  std::size_t support = 0;                               // number of points
+  double parameter = 0.;                   // arc length along the curve that was followed
+  Vector position = Vector::Zero();        // where the field has the curve
+  Vector followed = Vector::Zero();        // where the curve that was followed is
+  Vector tangent = Vector::UnitX();        // of the curve that was followed
+  Matrix_3 information = Matrix_3::Zero(); // inverse covariance of the position; 0 along the tangent
+  std::size_t support = 0;                 // number of points
 
   static constexpr std::size_t least_support = 2; // points, with which it is a place that the field shows
   bool is_supported() const { return support >= least_support; }
@@ -138,13 +139,14 @@ private:
   void locate(const std::vector<const Curve_support*>& members, Station& station) const
   {
     const Vector across = station.tangent.unitOrthogonal(), up = station.tangent.cross(across);
-    Eigen::Vector2d shift = Eigen::Vector2d::Zero();
-    Eigen::Matrix2d normal_matrix = Eigen::Matrix2d::Zero();
+    double shift[2] = {0., 0.};
+    double normal_matrix[2][2];
     const double scale = least_scale + scale_per_noise * m_noise;
     for (int round = 0; round < number_of_rounds; ++round)
     {
-      normal_matrix.setZero();
-      Eigen::Vector2d right_side = Eigen::Vector2d::Zero();
+      double right_side[2] = {0., 0.};
+      for (auto& row : normal_matrix)
+        row[0] = row[1] = 0.;
       station.support = 0;
       const Vector moved = shift[0] * across + shift[1] * up;
       for (const Curve_support* member : members)
@@ -156,25 +158,31 @@ private:
         const double worth =
           (comparable_deviation + m_noise) / (comparable_deviation + m_band.deviation(member->point, m_noise));
         const double weight = worth * worth / (1. + weight_per_square * d * d) / (1. + e * e / (scale * scale));
-        const Eigen::Vector2d gradient(offset.dot(across) / length, offset.dot(up) / length);
-        normal_matrix += weight * gradient * gradient.transpose();
-        right_side -= weight * e * gradient;
+        const double gradient[2] = {offset.dot(across) / length, offset.dot(up) / length};
+        for (int i = 0; i < 2; ++i)
+        {
+          for (int j = 0; j < 2; ++j)
+            normal_matrix[i][j] += weight * gradient[i] * gradient[j];
+          right_side[i] -= weight * e * gradient[i];
+        }
         ++station.support;
       }
       // Where the points lie in one plane through the curve, they say nothing of the direction across it.
-      const double damping = relative_damping * normal_matrix.trace() + least_damping;
-      const double a = normal_matrix(0, 0) + damping, b = normal_matrix(0, 1), c = normal_matrix(1, 1) + damping;
-      shift +=
-        Eigen::Vector2d(c * right_side[0] - b * right_side[1], a * right_side[1] - b * right_side[0]) / (a * c - b * b);
-      if (shift.norm() > most_shift)
-        shift = most_shift * (shift / shift.norm());
+      const double damping = relative_damping * (normal_matrix[0][0] + normal_matrix[1][1]) + least_damping;
+      const double a = normal_matrix[0][0] + damping, b = normal_matrix[0][1], c = normal_matrix[1][1] + damping;
+      shift[0] += (c * right_side[0] - b * right_side[1]) / (a * c - b * b);
+      shift[1] += (a * right_side[1] - b * right_side[0]) / (a * c - b * b);
+      const double length = std::sqrt(shift[0] * shift[0] + shift[1] * shift[1]);
+      if (length > most_shift)
+        for (double& coordinate : shift)
+          coordinate = most_shift * (coordinate / length);
     }
     station.followed = station.position;
     station.position += shift[0] * across + shift[1] * up;
-    Eigen::Matrix<double, 3, 2> frame;
-    frame << across, up;
-    station.information =
-      frame * normal_matrix * frame.transpose() / (m_noise * m_noise + least_deviation * least_deviation);
+    const Vector by_across = normal_matrix[0][0] * across + normal_matrix[1][0] * up;
+    const Vector by_up = normal_matrix[0][1] * across + normal_matrix[1][1] * up;
+    station.information = (Matrix_3::outer(by_across, across) + Matrix_3::outer(by_up, up))
+      / (m_noise * m_noise + least_deviation * least_deviation);
   }
 };
 

@@ -19,6 +19,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace CGAL {
@@ -179,18 +180,17 @@ struct Primitive_curve
   }
 
   // The derivatives of foot(p) by the steps that `moved` takes, one column for each; not of an ellipse.
-  template <class Matrix>
-  void foot_derivatives(const Vector& p, Matrix& columns) const
+  void foot_derivatives(const Vector& p, std::array<Vector, most_parameters>& columns) const
   {
     const Vector offset = p - center;
     if (kind == Primitive_kind::LINE)
     {
       const Vector u = axis.unitOrthogonal(), v = axis.cross(u);
       const double along = offset.dot(axis);
-      columns.col(0) = u;
-      columns.col(1) = v;
-      columns.col(2) = offset.dot(u) * axis + along * u;
-      columns.col(3) = offset.dot(v) * axis + along * v;
+      columns[0] = u;
+      columns[1] = v;
+      columns[2] = offset.dot(u) * axis + along * u;
+      columns[3] = offset.dot(v) * axis + along * v;
       return;
     }
     const Vector in_plane = offset - offset.dot(axis) * axis;
@@ -200,12 +200,12 @@ struct Primitive_curve
     for (int k = 0; k < 3; ++k)
     {
       const Vector unit = Vector::Unit(k);
-      columns.col(k) = unit - turned(unit - axis[k] * axis);
+      columns[k] = unit - turned(unit - axis[k] * axis);
     }
     const Vector tilts[2] = {major.cross(axis), minor().cross(axis)}; // changes of the axis
     for (int k = 0; k < 2; ++k)
-      columns.col(3 + k) = turned(-offset.dot(tilts[k]) * axis - offset.dot(axis) * tilts[k]);
-    columns.col(5) = outward;
+      columns[3 + k] = turned(-offset.dot(tilts[k]) * axis - offset.dot(axis) * tilts[k]);
+    columns[5] = outward;
   }
 
 private:

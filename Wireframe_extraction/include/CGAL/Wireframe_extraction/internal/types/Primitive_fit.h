@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_PRIMITIVE_FIT_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_PRIMITIVE_FIT_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Matrix_3.h>
 #include <CGAL/Wireframe_extraction/internal/base/Symmetric_factorization.h>
 #include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
 #include <CGAL/Wireframe_extraction/internal/types/Curve_stations.h>
@@ -92,6 +93,13 @@ class Primitive_fit
   // Of dynamic size, though bounded: unrolled loops over eight parameters take long to compile, and gain nothing here.
   static constexpr int most = Primitive_curve::most_parameters;
   typedef Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1> Parameters;
+  typedef std::array<Vector, most> Foot_jacobian;
+
+  // in the plane of a circle or an ellipse
+  struct Plane_point
+  {
+    double x, y;
+  };
 
   static constexpr double least_radius = 0.5 * Curve_stations::spacing;
 
@@ -167,9 +175,9 @@ private:
     Vector mean = Vector::Zero();
     for (std::size_t i = 0; i < stations.size(); ++i)
       mean += stations[i].position / double(stations.size());
-    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    Matrix_3 moments = Matrix_3::Zero();
     for (std::size_t i = 0; i < stations.size(); ++i)
-      moments += (stations[i].position - mean) * (stations[i].position - mean).transpose();
+      moments += Matrix_3::outer(stations[i].position - mean, stations[i].position - mean);
     const Principal_axes principal = principal_axes(moments);
     curve.center = mean;
     if (curve.kind == Primitive_kind::LINE)
@@ -182,29 +190,29 @@ private:
     const double scale = std::sqrt(principal.values[2] / double(stations.size()));
     if (!(scale > negligible_extent))
       return false;
-    std::vector<Eigen::Vector2d> plane;
+    std::vector<Plane_point> plane;
     for (std::size_t i = 0; i < stations.size(); ++i)
     {
       const Vector offset = (stations[i].position - mean) / scale;
-      plane.emplace_back(offset.dot(curve.major), offset.dot(curve.minor()));
+      plane.push_back({offset.dot(curve.major), offset.dot(curve.minor())});
     }
     return curve.kind == Primitive_kind::CIRCLE ? start_circle(plane, scale) : start_ellipse(plane, scale);
   }
 
   // the algebraic circle of Kasa
-  bool start_circle(const std::vector<Eigen::Vector2d>& points, double scale)
+  bool start_circle(const std::vector<Plane_point>& points, double scale)
   {
-    Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+    Matrix_3 matrix = Matrix_3::Zero();
     Vector right_side = Vector::Zero();
-    for (const Eigen::Vector2d& p : points)
+    for (const Plane_point& p : points)
     {
-      const Vector row(p.x(), p.y(), 1.);
-      matrix += row * row.transpose();
-      right_side += p.squaredNorm() * row;
+      const Vector row(p.x, p.y, 1.);
+      matrix += Matrix_3::outer(row, row);
+      right_side += (p.x * p.x + p.y * p.y) * row;
     }
     const Vector x = Symmetric_factorization(matrix).solved(right_side);
-    const Eigen::Vector2d center = 0.5 * x.head<2>();
-    const double square = x[2] + center.squaredNorm();
+    const Plane_point center{0.5 * x[0], 0.5 * x[1]};
+    const double square = x[2] + (center.x * center.x + center.y * center.y);
     if (!(square > 0.) || !std::isfinite(square))
       return false;
     place(center, scale);
@@ -213,33 +221,34 @@ private:
   }
 
   // the direct ellipse of Fitzgibbon, Pilu and Fisher (1999), by the stable elimination of Halir and Flusser (1998)
-  bool start_ellipse(const std::vector<Eigen::Vector2d>& points, double scale)
+  bool start_ellipse(const std::vector<Plane_point>& points, double scale)
   {
-    Eigen::Matrix3d s1 = Eigen::Matrix3d::Zero(), s2 = s1, s3 = s1;
-    for (const Eigen::Vector2d& p : points)
+    Matrix_3 s1 = Matrix_3::Zero(), s2 = s1, s3 = s1;
+    for (const Plane_point& p : points)
     {
-      const Vector quadratic(p.x() * p.x(), p.x() * p.y(), p.y() * p.y()), linear(p.x(), p.y(), 1.);
-      s1 += quadratic * quadratic.transpose();
-      s2 += quadratic * linear.transpose();
-      s3 += linear * linear.transpose();
+      const Vector quadratic(p.x * p.x, p.x * p.y, p.y * p.y), linear(p.x, p.y, 1.);
+      s1 += Matrix_3::outer(quadratic, quadratic);
+      s2 += Matrix_3::outer(quadratic, linear);
+      s3 += Matrix_3::outer(linear, linear);
     }
-    Eigen::Matrix3d t = -s2.transpose();
+    Matrix_3 t = -1. * s2.transposed();
     const Symmetric_factorization factorization(s3);
     for (int i = 0; i < 3; ++i)
-      factorization.solve(t.col(i).data());
+      factorization.solve(t.column_data(i));
     // The form q of an ellipse has 4 a c - b^2 > 0. Among those with the value 1, the best one belongs to the only
     // positive eigenvalue of this form relative to the squared algebraic residuals, which exact points make singular.
-    Eigen::Matrix3d m = s1 + s2 * t, constraint;
-    m += rounding * s1.trace() * Eigen::Matrix3d::Identity();
-    constraint << 0., 0., 2., 0., -1., 0., 2., 0., 0.;
+    const Matrix_3 m = s1 + s2 * t + rounding * s1.trace() * Matrix_3::Identity();
+    Matrix_3 constraint = Matrix_3::Zero();
+    constraint(0, 2) = constraint(2, 0) = 2.;
+    constraint(1, 1) = -1.;
     const Principal_axes of_residuals = principal_axes(m);
-    if (!t.allFinite() || !(of_residuals.values[0] > 0.))
+    if (!t.is_finite() || !(of_residuals.values[0] > 0.))
       return false;
-    Eigen::Matrix3d inverse; // of a square root of m
+    Matrix_3 inverse; // of a square root of m
     for (int i = 0; i < 3; ++i)
-      inverse.row(i) = of_residuals.axes[i].transpose() / std::sqrt(of_residuals.values[i]);
-    const Principal_axes principal = principal_axes(inverse * constraint * inverse.transpose());
-    const Vector quadratic = (inverse.transpose() * principal.axes[2]).normalized();
+      inverse.set_row(i, of_residuals.axes[i] / std::sqrt(of_residuals.values[i]));
+    const Principal_axes principal = principal_axes(inverse * constraint * inverse.transposed());
+    const Vector quadratic = inverse.transposed_times(principal.axes[2]).normalized();
     return set_ellipse(quadratic, t * quadratic, scale);
   }
 
@@ -247,9 +256,9 @@ private:
   bool set_ellipse(const Vector& quadratic, const Vector& linear, double scale)
   {
     const double a = quadratic[0], b = 0.5 * quadratic[1], c = quadratic[2], determinant = a * c - b * b;
-    const Eigen::Vector2d center =
-      Eigen::Vector2d(b * linear[1] - c * linear[0], b * linear[0] - a * linear[1]) / (2. * determinant);
-    const double level = -(linear[2] + 0.5 * (linear[0] * center.x() + linear[1] * center.y()));
+    const Plane_point center{(b * linear[1] - c * linear[0]) / (2. * determinant),
+                             (b * linear[0] - a * linear[1]) / (2. * determinant)};
+    const double level = -(linear[2] + 0.5 * (linear[0] * center.x + linear[1] * center.y));
     const double mean = 0.5 * (a + c), difference = std::hypot(0.5 * (a - c), b);
     const double one = level / (mean - difference), two = level / (mean + difference); // squares of the radii
     if (!(determinant > 0.) || !(one > 0.) || !(two > 0.) || !std::isfinite(one) || !std::isfinite(two))
@@ -264,9 +273,9 @@ private:
     return true;
   }
 
-  void place(const Eigen::Vector2d& center, double scale)
+  void place(const Plane_point& center, double scale)
   {
-    curve.center += scale * (center.x() * curve.major + center.y() * curve.minor());
+    curve.center += scale * (center.x * curve.major + center.y * curve.minor());
   }
 
   // The first rounds take some of many stations, which are enough to come close.
@@ -328,20 +337,21 @@ private:
     matrix = Covariance::Zero(n, n);
     gradient = Parameters::Zero(n);
     const Foot_derivatives derivatives(curve);
-    Eigen::Matrix<double, 3, most> jacobian;
+    Foot_jacobian jacobian;
     for (std::size_t k = 0; k < stations.size(); k += stride)
     {
       const Station& station = stations[k];
       const Vector residual = curve.foot(station.position) - station.position;
       const Vector pull = station.information * residual;
       const double weight = Misfit::weight(residual.dot(pull));
+      const Matrix_3 information = weight * station.information;
       derivatives.at(station.position, jacobian);
       for (int i = 0; i < n; ++i)
       {
-        gradient[i] += weight * jacobian.col(i).dot(pull);
-        const Vector column = weight * station.information * jacobian.col(i);
+        gradient[i] += weight * jacobian[i].dot(pull);
+        const Vector column = information * jacobian[i];
         for (int j = i; j < n; ++j)
-          matrix(i, j) += column.dot(jacobian.col(j));
+          matrix(i, j) += column.dot(jacobian[j]);
       }
     }
     for (int i = 0; i < n; ++i)
@@ -370,13 +380,13 @@ private:
       }
     }
 
-    void at(const Vector& p, Eigen::Matrix<double, 3, most>& columns) const
+    void at(const Vector& p, Foot_jacobian& columns) const
     {
       if (m_curve.kind != Primitive_kind::ELLIPSE)
         m_curve.foot_derivatives(p, columns);
       else
         for (int i = 0; i < m_curve.number_of_parameters(); ++i)
-          columns.col(i) = (m_ahead[i].foot(p) - m_behind[i].foot(p)) / (2. * h);
+          columns[i] = (m_ahead[i].foot(p) - m_behind[i].foot(p)) / (2. * h);
     }
   };
 };

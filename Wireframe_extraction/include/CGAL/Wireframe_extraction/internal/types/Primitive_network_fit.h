@@ -12,6 +12,7 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_PRIMITIVE_NETWORK_FIT_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_PRIMITIVE_NETWORK_FIT_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Matrix_3.h>
 #include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
 #include <CGAL/Wireframe_extraction/internal/fit/ceres_support.h>
@@ -118,7 +119,7 @@ private:
 
   Progress* m_progress = nullptr;
   std::vector<char> m_is_violated;
-  std::vector<Eigen::Matrix3d> m_roots; // of the information of all stations, edge after edge
+  std::vector<Matrix_3> m_roots; // of the information of all stations, edge after edge
 
   bool is_cancelled() const { return m_progress && m_progress->is_cancelled(); }
 
@@ -246,13 +247,13 @@ private:
     return result;
   }
 
-  static Eigen::Matrix3d square_root(const Eigen::Matrix3d& matrix)
+  static Matrix_3 square_root(const Matrix_3& matrix)
   {
     // the eigenvalue along the tangent is zero, but for rounding
     const Principal_axes principal = principal_axes(matrix);
-    Eigen::Matrix3d root = Eigen::Matrix3d::Zero();
+    Matrix_3 root = Matrix_3::Zero();
     for (int k = 0; k < 3; ++k)
-      root += std::sqrt((std::max)(0., principal.values[k])) * principal.axes[k] * principal.axes[k].transpose();
+      root += Matrix_3::outer(std::sqrt((std::max)(0., principal.values[k])) * principal.axes[k], principal.axes[k]);
     return root;
   }
 
@@ -275,13 +276,13 @@ private:
                                  variations[k].blocks());
     for (std::size_t v = 0; v < vertices.size(); ++v)
       if (problem.HasParameterBlock(vertices[v].data()))
-        add_pull(problem, vertices[v], Eigen::Matrix3d(pull_on_vertices * Eigen::Matrix3d::Identity()), anchors[v]);
+        add_pull(problem, vertices[v], pull_on_vertices * Matrix_3::Identity(), anchors[v]);
     for (const Spline_end& end : spline_ends)
       if (problem.HasParameterBlock(vertices[end.vertex].data()))
       {
-        const Eigen::Matrix3d along = end.tangent * end.tangent.transpose();
-        add_pull(problem, vertices[end.vertex],
-                 (Eigen::Matrix3d::Identity() - along) / end.deviation + along / end.along, end.position);
+        const Matrix_3 along = Matrix_3::outer(end.tangent, end.tangent);
+        add_pull(problem, vertices[end.vertex], (Matrix_3::Identity() - along) / end.deviation + along / end.along,
+                 end.position);
       }
     if (weight > 0.)
       for (std::size_t i = 0; i < constraints.size(); ++i)
@@ -316,7 +317,7 @@ private:
     }
   }
 
-  static void add_pull(ceres::Problem& problem, Vector& vertex, const Eigen::Matrix3d& root, const Vector& place)
+  static void add_pull(ceres::Problem& problem, Vector& vertex, const Matrix_3& root, const Vector& place)
   {
     problem.AddResidualBlock(
       new Geometric_residual(

@@ -12,11 +12,13 @@
 #ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_PRIMITIVE_RESIDUALS_H
 #define CGAL_WIREFRAME_EXTRACTION_INTERNAL_TYPES_PRIMITIVE_RESIDUALS_H
 
+#include <CGAL/Wireframe_extraction/internal/base/Matrix_3.h>
 #include <CGAL/Wireframe_extraction/internal/fit/ceres_support.h>
 #include <CGAL/Wireframe_extraction/internal/types/Primitive_edge.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -25,6 +27,14 @@
 namespace CGAL {
 namespace Wireframe_extraction {
 namespace internal {
+
+// Writes a vector, `stride` from one coordinate to the next. Returns whether it is finite.
+inline bool put(const Vector& v, double* values, int stride)
+{
+  for (int i = 0; i < 3; ++i)
+    values[i * stride] = v[i];
+  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+}
 
 // The whitened offset of a function of several points of three coordinates, by central differences.
 class Geometric_residual : public ceres::CostFunction
@@ -41,9 +51,7 @@ public:
 
   bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override
   {
-    Eigen::Map<Eigen::Vector3d> value(residuals);
-    value = m_function(blocks);
-    if (!value.allFinite())
+    if (!put(m_function(blocks), residuals, 1))
       return false;
     if (!jacobians)
       return true;
@@ -60,18 +68,16 @@ public:
     {
       if (!jacobians[b])
         continue;
-      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> jacobian(jacobians[b]);
       for (int k = 0; k < 3; ++k)
       {
         const double kept = changed[b][k];
         changed[b][k] = kept + h;
         const Vector ahead = m_function(pointers.data());
         changed[b][k] = kept - h;
-        jacobian.col(k) = (ahead - m_function(pointers.data())) / (2. * h);
+        if (!put((ahead - m_function(pointers.data())) / (2. * h), jacobians[b] + k, 3))
+          return false;
         changed[b][k] = kept;
       }
-      if (!jacobian.allFinite())
-        return false;
     }
     return true;
   }
@@ -141,10 +147,10 @@ class Station_residual : public ceres::CostFunction
 {
   const Edge_variations& m_edge;
   Vector m_position;
-  Eigen::Matrix3d m_root;
+  Matrix_3 m_root;
 
 public:
-  Station_residual(const Edge_variations& edge, const Vector& position, const Eigen::Matrix3d& root)
+  Station_residual(const Edge_variations& edge, const Vector& position, const Matrix_3& root)
     : m_edge(edge), m_position(position), m_root(root)
   {
     set_num_residuals(3);
@@ -153,21 +159,18 @@ public:
 
   bool Evaluate(double const* const*, double* residuals, double** jacobians) const override
   {
-    Eigen::Map<Eigen::Vector3d> value(residuals);
-    value = m_root * (m_edge.curve().foot(m_position) - m_position);
-    if (!value.allFinite())
+    if (!put(m_root * (m_edge.curve().foot(m_position) - m_position), residuals, 1))
       return false;
     for (std::size_t b = 0; jacobians && b < m_edge.blocks().size(); ++b)
     {
       if (!jacobians[b])
         continue;
-      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> jacobian(jacobians[b]);
       for (int k = 0; k < 3; ++k)
-        jacobian.col(k) = m_root
-          * (m_edge.ahead(3 * b + k).foot(m_position) - m_edge.behind(3 * b + k).foot(m_position))
-          / (2. * Edge_variations::step);
-      if (!jacobian.allFinite())
-        return false;
+      {
+        const Vector difference = m_edge.ahead(3 * b + k).foot(m_position) - m_edge.behind(3 * b + k).foot(m_position);
+        if (!put(m_root * difference / (2. * Edge_variations::step), jacobians[b] + k, 3))
+          return false;
+      }
     }
     return true;
   }
