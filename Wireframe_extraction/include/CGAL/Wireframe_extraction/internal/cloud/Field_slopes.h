@@ -105,8 +105,9 @@ public:
     scale.gradient = upper_quartile_over_root(slopes, 0.);
     const double of_root = 0.5 * upper_quartile_over_root(slopes, 0.5);
     const std::vector<Slope> inner = away_from_features(slopes);
-    // one that falls so fast that no point is far from features, as it says, is no distance in any case
-    if (follows_power(inner.size() < least_count ? slopes : inner, 1.))
+    // All of them must follow the law, since those away from features are few in a thin part, and may be alike; but one
+    // that falls so fast that no point is far from features, as it says, is no distance in any case.
+    if (follows_power(slopes, 1.) && (inner.size() < least_count || follows_power(inner, 1.)))
       scale.meaning = Field_meaning::EXPONENTIAL;
     else if (of_root > least_gradient_of_root && of_root < most_gradient_of_root && inner.size() >= least_count
              && follows_power(inner, 0.5))
