@@ -5,6 +5,7 @@
 #include <CGAL/Wireframe_extraction/internal/base/Matrix_3.h>
 #include <CGAL/Wireframe_extraction/internal/base/different_positions.h>
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
+#include <CGAL/Wireframe_extraction/internal/cloud/Field_slopes.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_end_joiner.h>
 #include <CGAL/Wireframe_extraction/internal/network/Surface_evidence.h>
 #include <CGAL/Wireframe_extraction/internal/skeleton/polyline_feet.h>
@@ -16,6 +17,7 @@
 #include <cstddef>
 #include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -222,6 +224,79 @@ void test_surface_evidence()
   assert(!Surface_evidence(empty).folds({&curve})[0].is_known);
 }
 
+// A short edge between two others that lead away from its ends at right angles: whether the surface is folded along it
+// is told from few points, and not from those of a sheet that passes near.
+void test_fold_of_edge()
+{
+  std::mt19937 random(5);
+  const Vector from(-2.5, 0., 0.), to(2.5, 0., 0.);
+  const auto found = [&](Field_band band, double noise, bool has_sheet) {
+    if (has_sheet)
+      for (double x : {-1.5, -0.5, 0.5, 1.5})
+        band.points.push_back(Vector(x, 0., 2.));
+    band.search.build(band.points, band.points.size());
+    std::vector<double> to_others;
+    for (const Vector& p : band.points)
+      to_others.push_back((std::min)(std::abs(p.x() - from.x()), std::abs(p.x() - to.x())));
+    return Surface_evidence(band).fold_of_edge(from, to, to_others, noise);
+  };
+  static constexpr int rounds = 200;
+  for (double noise : {0.01, 0.2})
+    for (bool has_sheet : {false, true})
+    {
+      int flat_as_folded = 0, cylinder_as_folded = 0, folded_as_folded = 0;
+      for (int k = 0; k < rounds; ++k)
+      {
+        flat_as_folded += found(folded_surface(0., noise, 0., random), noise, has_sheet).is_folded_beyond_doubt();
+        cylinder_as_folded += found(folded_surface(0., noise, 0.1, random), noise, has_sheet).is_folded_beyond_doubt();
+        const Surface_evidence::Fold fold = found(folded_surface(CGAL_PI / 2., noise, 0., random), noise, has_sheet);
+        folded_as_folded += fold.is_folded_beyond_doubt();
+        assert(has_sheet || !fold.is_known || std::abs(fold.slope - 1.) < 0.1 + 5. * fold.deviation);
+      }
+      const int most = has_sheet ? rounds / 20 : rounds / 100;
+      assert(flat_as_folded <= most && cylinder_as_folded <= most);
+      assert(folded_as_folded > (noise < 0.1 ? 0.9 : 0.5) * rounds);
+    }
+  // of no points, nothing is known
+  Field_band empty;
+  empty.search.build(empty.points, 0);
+  assert(!Surface_evidence(empty).fold_of_edge(from, to, {}, 0.1).is_known);
+}
+
+// In a thin part few points are away from features, and their slopes may happen to grow with the field as those of an
+// exponential do: it is one only if all slopes do.
+void test_slopes_of_thin_parts()
+{
+  for (bool is_exponential : {false, true})
+  {
+    Field_slopes slopes;
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> share(0., 1.);
+    const auto add = [&](double field, double gradient, double step) {
+      std::vector<std::pair<Vector, double>> neighbors;
+      for (double x : {-step, step})
+        for (double y : {-step, step})
+          neighbors.emplace_back(Vector(x, y, 0.), field + gradient * x);
+      slopes.add(field, neighbors);
+    };
+    for (int k = 0; k < 400; ++k)
+    {
+      const double field = 0.2 + share(random), error = 0.9 + 0.2 * share(random);
+      if (k % 4 == 0)
+      {
+        add(field, 0.5 * error * field, 0.1);
+        continue;
+      }
+      // the values around these are beyond twice their own
+      const double near_feature = is_exponential ? 0.5 * error * field : 0.4 + 0.4 * share(random);
+      add(field, near_feature, 1.5 * field / near_feature);
+    }
+    Cloud_scale scale;
+    slopes.describe(scale);
+    assert((scale.meaning == Field_meaning::EXPONENTIAL) == is_exponential);
+  }
+}
+
 // derivatives of feet on lines and circles, against differences
 void test_foot_derivatives()
 {
@@ -312,6 +387,8 @@ int main()
   test_polyline_walk();
   test_nearest_feet();
   test_surface_evidence();
+  test_fold_of_edge();
+  test_slopes_of_thin_parts();
   test_foot_derivatives();
   test_matrix();
   test_different_positions();

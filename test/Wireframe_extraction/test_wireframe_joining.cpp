@@ -580,6 +580,8 @@ std::vector<Polyline> two_forks(double distance)
   return lines;
 }
 
+bool is_never_folded(const Polyline&) { return false; }
+
 void test_add_edges_between_nodes()
 {
   for (double distance : {0.9, 1.1, 6., 9.9, 10.1})
@@ -590,6 +592,7 @@ void test_add_edges_between_nodes()
       Curve_end_joiner(network, options)
         .add_edges_between_nodes(
           10., [&](const Polyline& line) { return line.front().y() == 0. && line.back().y() == 0. ? gain : -1.; },
+          is_never_folded,
           [&](const Polyline& line) {
             ++accepted;
             assert(std::abs(polyline_length(line) - distance) < 1e-9);
@@ -627,10 +630,51 @@ void test_added_edges_share_no_evidence()
             return -1.;
           return line.front() != places[best] && line.back() != places[best] ? 2. : 1.;
         },
-        [&](const Polyline& line) { accepted.push_back(line); });
+        is_never_folded, [&](const Polyline& line) { accepted.push_back(line); });
     assert(accepted.size() == 1 && network.curves.size() == lines.size() + 1);
     assert(accepted[0].front() != places[best] && accepted[0].back() != places[best]);
   }
+}
+
+// An edge without evidence of the field is one of the surface: between corners of two edges each, that it is not beside
+// a curve, and that are no longer corners of two edges when it is there.
+void test_edges_of_the_surface()
+{
+  // of the free ends of the forks, the surface shows none
+  const auto always = [](const Polyline& line) { return line.front().y() == 0. && line.back().y() == 0.; };
+  const auto count_of_added = [&](const std::vector<Polyline>& lines, const auto& is_folded) {
+    Curve_network network = network_of(lines);
+    std::size_t accepted = 0;
+    Curve_end_joiner(network, options)
+      .add_edges_between_nodes(
+        7., [](const Polyline&) { return -1.; }, is_folded, [&](const Polyline&) { ++accepted; });
+    check_ends(network);
+    assert(network.curves.size() == lines.size() + accepted);
+    return accepted;
+  };
+  const std::vector<Polyline> forks = two_forks(6.);
+  assert(count_of_added(forks, always) == 1);
+  assert(count_of_added(forks, is_never_folded) == 0);
+  assert(count_of_added(two_forks(7.1), always) == 0);
+  // a corner of three edges lacks none
+  std::vector<Polyline> lines = forks;
+  lines.push_back(straight(Vector(0., 0., 0.), Vector(-20., 0., 0.)));
+  assert(count_of_added(lines, always) == 0);
+  // an edge there is already, and one that another curve runs along
+  lines = forks;
+  lines.push_back(straight(Vector(0., 0., 0.), Vector(6., 0., 0.)));
+  assert(count_of_added(lines, always) == 0);
+  for (double aside : {0.5, 1.5})
+  {
+    lines = forks;
+    lines.push_back(straight(Vector(-20., aside, 0.), Vector(20., aside, 0.)));
+    assert(count_of_added(lines, always) == (aside > 1.));
+  }
+  // of three corners in a row, the two that are nearer to each other
+  lines = forks;
+  for (double z : {-20., 20.})
+    lines.push_back(straight(Vector(11., 0., 0.), Vector(11., 20., z)));
+  assert(count_of_added(lines, always) == 1);
 }
 
 // Between free ends an arc is tried as well, one that leads on from both.
@@ -659,7 +703,7 @@ void test_arc_between_free_ends()
             off = std::max(off, std::abs(p.norm() - radius));
           return off < 0.2 ? 1. : -1.;
         },
-        [](const Polyline&) {});
+        is_never_folded, [](const Polyline&) {});
     assert(network.curves.size() == lines.size() + is_free);
     check_ends(network);
   }
@@ -985,7 +1029,7 @@ void test_cancelling()
   check_joiner(nodes + 2, [](Curve_end_joiner& j) { j.drop_spurs(4., 2.); });
   check_joiner(nodes + cells, [](Curve_end_joiner& j) {
     j.add_edges_between_nodes(
-      10., [](const Polyline&) { return 1.; }, [](const Polyline&) {});
+      10., [](const Polyline&) { return 1.; }, is_never_folded, [](const Polyline&) {});
   });
   check_joiner(10 * nodes, [](Curve_end_joiner& j) { j.join(); });
 }
@@ -1012,6 +1056,7 @@ int main()
   test_drop_spurs();
   test_add_edges_between_nodes();
   test_added_edges_share_no_evidence();
+  test_edges_of_the_surface();
   test_arc_between_free_ends();
   test_extension_of_free_ends();
   test_gaps();

@@ -19,6 +19,7 @@
 #include <CGAL/Wireframe_extraction/internal/network/Tangency_resolver.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -53,6 +54,11 @@ class Curve_end_joiner : private Joint_editor
   // A crease ends where the last so many places in a row have one: single ones occur beside creases as well.
   static constexpr int places_in_a_row = 3;
   static constexpr double least_trimmed = 3.; // of what is left of a curve: less is within the ball of one fit
+
+  // An edge that the field does not show is another than those there are if it is so far from them along its middle
+  // half: by this share of its length, as from those that leave its ends at 53 degrees and more, or by one r.
+  static constexpr double share_apart = 0.2, most_apart = 1.;
+  static constexpr std::size_t edges_of_gap = 2; // where three edges meet, as in most corners, and one is missing
 
 public:
   using Joint_editor::Joint_editor;
@@ -153,64 +159,50 @@ public:
   }
 
   // Adds curves between near nodes where `gain(polyline)` is positive: straight ones, or between free ends such that
-  // lead on smoothly.
-  template <class Gain, class Accept>
-  void add_edges_between_nodes(double longest, const Gain& gain, const Accept& accept)
+  // lead on smoothly. Then straight ones between corners of which the field shows no more than two edges, where it is
+  // the surface that shows a third: `is_folded(polyline)`.
+  template <class Gain, class Is_folded, class Accept>
+  void add_edges_between_nodes(double longest, const Gain& gain, const Is_folded& is_folded, const Accept& accept)
   {
-    const auto incidences = m_network.incidences();
-    std::vector<std::size_t> used;
-    std::vector<Vector> positions;
-    for (std::size_t node = 0; node < incidences.size(); ++node)
-      if (!incidences[node].empty())
-      {
-        used.push_back(node);
-        positions.push_back(m_network.nodes[node]);
-      }
-    const Ball_search search(positions);
-    std::vector<std::tuple<double, std::size_t, std::size_t, std::vector<Vector>>> candidates;
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < used.size() && goes_on(); ++i)
-    {
-      search.query(positions[i], longest, found);
-      for (std::size_t j : found)
-      {
-        if (i >= j || (positions[i] - positions[j]).norm() < least_edge)
-          continue;
-        const std::vector<Curve_end>&a = incidences[used[i]], &b = incidences[used[j]];
-        std::vector<Vector> polyline = straight(positions[i], positions[j]);
-        double best = gain(polyline);
-        if (a.size() == 1 && b.size() == 1)
-        {
-          std::vector<Vector> arc{positions[i]};
-          append_arc(arc, tip(a[0]).tangent, positions[j], -tip(b[0]).tangent);
-          const double gain_of_arc = gain(arc);
-          if (gain_of_arc > best)
-          {
-            best = gain_of_arc;
-            polyline = arc;
-          }
-        }
-        if (best > 0.)
-          candidates.emplace_back(-best, used[i], used[j], polyline);
-      }
-    }
-    std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
-      return std::tie(std::get<0>(a), std::get<1>(a), std::get<2>(a))
-        < std::tie(std::get<0>(b), std::get<1>(b), std::get<2>(b));
+    const Incidences incidences = m_network.incidences();
+    std::vector<Edge_candidate> candidates, hypotheses;
+    for_each_near_pair(incidences, longest, [&](std::size_t i, std::size_t j) {
+      Edge_candidate edge = best_edge(incidences, i, j, gain);
+      if (edge.gain > 0.)
+        candidates.push_back(edge);
+      else if (incidences[i].size() <= edges_of_gap && incidences[j].size() <= edges_of_gap)
+        hypotheses.push_back({-(m_network.nodes[i] - m_network.nodes[j]).norm(), {i, j}, {}});
     });
-    for (const auto& candidate : candidates)
-    {
-      if (!goes_on())
-        return;
-      // what was added before may have taken the evidence
-      if (!(gain(std::get<3>(candidate)) > 0.))
-        continue;
+    std::vector<std::size_t> degrees;
+    for (const std::vector<Curve_end>& ends : incidences)
+      degrees.push_back(ends.size());
+    const auto add = [&](const Edge_candidate& edge) {
       Network_curve curve;
-      curve.nodes = {std::get<1>(candidate), std::get<2>(candidate)};
-      curve.points = std::get<3>(candidate);
+      curve.nodes = edge.nodes;
+      curve.points = edge.points;
       set_tips(curve);
       m_network.curves.push_back(curve);
       accept(curve.points);
+      ++degrees[edge.nodes[0]];
+      ++degrees[edge.nodes[1]];
+    };
+    std::sort(candidates.begin(), candidates.end());
+    for (const Edge_candidate& edge : candidates)
+      // what was added before may have taken the evidence
+      if (goes_on() && gain(edge.points) > 0.)
+        add(edge);
+    // the shortest first: longer ones may lead over them
+    std::sort(hypotheses.begin(), hypotheses.end());
+    Segment_grid grid = m_network.segments();
+    for (Edge_candidate& edge : hypotheses)
+    {
+      if (!goes_on() || degrees[edge.nodes[0]] > edges_of_gap || degrees[edge.nodes[1]] > edges_of_gap)
+        continue;
+      edge.points = straight(m_network.nodes[edge.nodes[0]], m_network.nodes[edge.nodes[1]]);
+      if (!runs_apart(edge.points, grid) || !is_folded(edge.points))
+        continue;
+      add(edge);
+      grid.add(m_network.curves.size() - 1, edge.points);
     }
   }
 
@@ -291,6 +283,71 @@ public:
   }
 
 private:
+  // an edge that the network may lack
+  struct Edge_candidate
+  {
+    double gain;
+    std::array<std::size_t, 2> nodes;
+    std::vector<Vector> points;
+
+    // the best first
+    bool operator<(const Edge_candidate& other) const
+    {
+      return std::tie(other.gain, nodes) < std::tie(gain, other.nodes);
+    }
+  };
+
+  // calls visitor(node, other) for nodes where curves meet
+  template <class Visitor>
+  void for_each_near_pair(const Incidences& incidences, double longest, const Visitor& visitor) const
+  {
+    std::vector<std::size_t> used, found;
+    std::vector<Vector> positions;
+    for (std::size_t node = 0; node < incidences.size(); ++node)
+      if (!incidences[node].empty())
+      {
+        used.push_back(node);
+        positions.push_back(m_network.nodes[node]);
+      }
+    const Ball_search search(positions);
+    for (std::size_t i = 0; i < used.size() && goes_on(); ++i)
+    {
+      search.query(positions[i], longest, found);
+      for (std::size_t j : found)
+        if (i < j && (positions[i] - positions[j]).norm() >= least_edge)
+          visitor(used[i], used[j]);
+    }
+  }
+
+  // whether no curve comes near the middle half of a straight edge
+  static bool runs_apart(const std::vector<Vector>& edge, const Segment_grid& grid)
+  {
+    const double length = (edge.back() - edge.front()).norm();
+    const double apart = (std::min)(most_apart, share_apart * length);
+    return std::none_of(edge.begin(), edge.end(), [&](const Vector& place) {
+      return (std::min)((place - edge.front()).norm(), (place - edge.back()).norm()) >= 0.25 * length
+        && grid.nearest(place, apart, [](const Segment_grid::Hit&) { return true; }).is_valid();
+    });
+  }
+
+  // the straight edge, or the arc that leads on from two free ends
+  template <class Gain>
+  Edge_candidate best_edge(const Incidences& incidences, std::size_t i, std::size_t j, const Gain& gain) const
+  {
+    const Vector &from = m_network.nodes[i], &to = m_network.nodes[j];
+    Edge_candidate edge{0., {i, j}, straight(from, to)};
+    edge.gain = gain(edge.points);
+    if (incidences[i].size() == 1 && incidences[j].size() == 1)
+    {
+      std::vector<Vector> arc{from};
+      append_arc(arc, tip(incidences[i][0]).tangent, to, -tip(incidences[j][0]).tangent);
+      const double gain_of_arc = gain(arc);
+      if (gain_of_arc > edge.gain)
+        edge = {gain_of_arc, {i, j}, arc};
+    }
+    return edge;
+  }
+
   // A curve as one sees it from one of its ends: the part that is near, which starts at the end, and the rest.
   struct Parted_curve
   {

@@ -16,6 +16,7 @@
 #include <CGAL/Wireframe_extraction/internal/base/Symmetric_factorization.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
 #include <CGAL/Wireframe_extraction/internal/base/principal_axes.h>
+#include <CGAL/Wireframe_extraction/internal/network/find_two_faces.h>
 #include <CGAL/Wireframe_extraction/internal/skeleton/polyline_feet.h>
 
 #include <CGAL/number_utils.h>
@@ -25,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -51,6 +53,7 @@ class Surface_evidence
   {
     std::vector<Sample> samples;
     Vector direction = Vector::Zero();
+    Vector across = Vector::Zero(); // of the fold, or zero if the samples shall tell
     Vector normal = Vector::Zero();
     double slope = 0., deviation = 1., residual = 1.;
     bool is_known = false;
@@ -64,6 +67,15 @@ class Surface_evidence
   static constexpr std::size_t least_samples = 10;
   // of the samples: with fewer on one side, the fold and the slope across are one
   static constexpr std::size_t least_share_of_side = 4; // one in four
+  // Of an edge between two corners, this share of the length at each end has points of the curves that meet there. And
+  // points belong to the edge's faces up to this many times their distance to the nearest other curve: straight beside
+  // the edge, where those curves lead away at right angles, half of the face.
+  static constexpr double disturbed_share_of_edge = 0.1, distance_per_other = 2.;
+  // Its two corners are known, in r, up to so much; points so far from it show the directions of its faces; where more
+  // than a quarter of the points lie on neither face, it is no edge of two faces. With two points more than there are
+  // coefficients, its fold is known.
+  static constexpr double error_of_corners = 0.15, arm = 1.2, least_share_on_faces = 0.75;
+  static constexpr std::size_t least_samples_of_edge = size + 2;
   // in 1/r: what curvatures are expected, of a surface that is no fold (radius 8 r)
   static constexpr double curvature_deviation = 0.06;
   // keeps the equations regular; far below one sample's weight
@@ -84,6 +96,12 @@ public:
 
     // below it, the surface turns by less than 17 degrees
     static constexpr double least_slope = 0.15;
+    // in standard deviations: one flat edge in 700 seems folded beyond them
+    static constexpr double deviations_beyond_doubt = 3.;
+    bool is_folded_beyond_doubt() const
+    {
+      return is_known && slope - deviations_beyond_doubt * deviation > least_slope;
+    }
     bool is_flat() const { return is_known && slope < least_slope; }
     bool is_flat_beyond_doubt() const { return is_known && slope + deviation < least_slope; }
   };
@@ -97,22 +115,65 @@ public:
   std::vector<Fold> folds(const std::vector<const std::vector<Vector>*>& polylines) const
   {
     std::vector<std::vector<Window>> windows = collect(polylines);
+    const std::vector<Fold> unknown(polylines.size());
+    const std::optional<double> noise = noise_of(windows);
+    if (!noise)
+      return unknown;
+    std::vector<Fold> result = unknown;
+    for (std::size_t c = 0; c < windows.size() && goes_on(m_progress); ++c)
+      result[c] = combine(windows[c], *noise);
+    return m_progress && m_progress->is_cancelled() ? unknown : result;
+  }
+
+  // the typical error of the positions, in r, by what is left of them along the curves
+  double noise_along(const std::vector<const std::vector<Vector>*>& polylines) const
+  {
+    std::vector<std::vector<Window>> windows = collect(polylines);
+    return noise_of(windows).value_or(most_residual);
+  }
+
+  // Of a short straight edge between two corners, as one window. The points beside it belong to its faces unless
+  // another curve is much nearer, or they lie on no face that meets the edge: `to_others` are the distances of the
+  // surroundings to the curves there are.
+  Fold fold_of_edge(const Vector& from, const Vector& to, const std::vector<double>& to_others, double noise) const
+  {
+    const std::vector<Vector> edge{from, to};
+    const double length = (to - from).norm(), least = disturbed_share_of_edge * length;
+    std::vector<Sample> samples;
+    std::vector<Vector> offsets;
+    visit_feet(m_surroundings, 0, edge, reach, [&](std::size_t i, const Polyline_foot& foot) {
+      const double s = foot.share * length;
+      if ((std::min)(s, length - s) < least || foot.distance > distance_per_other * to_others[i])
+        return;
+      offsets.push_back(m_surroundings.points[i] - foot.point(edge));
+      samples.push_back({s - 0.5 * length, offsets.back()});
+    });
+    const Two_faces faces = find_two_faces(offsets, error_of_corners + residual_per_noise * noise, arm);
+    std::vector<Window> window(1);
+    window[0].direction = to - from;
+    window[0].across = (faces.arms[0] - faces.arms[1]).normalized();
+    for (std::size_t k = 0; k < samples.size(); ++k)
+      if (faces.holds[k])
+        window[0].samples.push_back(samples[k]);
+    if (double(window[0].samples.size()) < least_share_on_faces * double(samples.size()))
+      return Fold();
+    return combine(window, noise, least_samples_of_edge);
+  }
+
+private:
+  // what is left of the points in each window is known from now on
+  std::optional<double> noise_of(std::vector<std::vector<Window>>& windows) const
+  {
     std::vector<double> residuals;
     for (std::size_t c = 0; c < windows.size() && goes_on(m_progress); ++c)
       for (Window& window : windows[c])
         if (fit(window, 0.))
           residuals.push_back(window.residual);
-    const std::vector<Fold> unknown(polylines.size());
     if (residuals.empty())
-      return unknown;
-    std::vector<Fold> result = unknown;
-    const double noise = (std::max)(least_noise, median(residuals));
-    for (std::size_t c = 0; c < windows.size() && goes_on(m_progress); ++c)
-      result[c] = combine(windows[c], noise);
-    return m_progress && m_progress->is_cancelled() ? unknown : result;
+      return std::nullopt;
+    return (std::max)(least_noise, median(residuals));
   }
 
-private:
   std::vector<std::vector<Window>> collect(const std::vector<const std::vector<Vector>*>& polylines) const
   {
     std::vector<std::vector<double>> lengths(polylines.size());
@@ -143,25 +204,31 @@ private:
     return windows;
   }
 
-  // with `noise` of the surface, prior knowledge about curvatures counts
-  static bool fit(Window& window, double noise)
+  // of the samples' offsets, at right angles to a direction
+  static Vector widest_direction(const std::vector<Sample>& samples, const Vector& direction)
   {
-    window.is_known = false;
-    if (window.samples.size() < least_samples || !(window.direction.norm() > 0.))
-      return false;
-    const Vector direction = window.direction.normalized();
     Vector mean = Vector::Zero();
-    for (const Sample& sample : window.samples)
+    for (const Sample& sample : samples)
       mean += sample.offset;
-    mean /= double(window.samples.size());
+    mean /= double(samples.size());
     Matrix_3 moments = Matrix_3::Zero();
-    for (const Sample& sample : window.samples)
+    for (const Sample& sample : samples)
     {
       Vector offset = sample.offset - mean;
       offset -= offset.dot(direction) * direction;
       moments += Matrix_3::outer(offset, offset);
     }
-    const Vector across = principal_axes(moments).axes[2];
+    return principal_axes(moments).axes[2];
+  }
+
+  // with `noise` of the surface, prior knowledge about curvatures counts
+  static bool fit(Window& window, double noise, std::size_t least = least_samples)
+  {
+    window.is_known = false;
+    if (window.samples.size() < least || !(window.direction.norm() > 0.))
+      return false;
+    const Vector direction = window.direction.normalized();
+    const Vector across = window.across.isZero() ? widest_direction(window.samples, direction) : window.across;
     window.normal = direction.cross(across).normalized();
     Matrix normal_matrix = Matrix::Zero();
     Row right = Row::Zero();
@@ -205,7 +272,7 @@ private:
     return row;
   }
 
-  static Fold combine(std::vector<Window>& windows, double noise)
+  static Fold combine(std::vector<Window>& windows, double noise, std::size_t least = least_samples)
   {
     Fold fold;
     double sum = 0., sum_of_sizes = 0., sum_of_deviations = 0., total = 0.;
@@ -213,7 +280,7 @@ private:
     Vector previous = Vector::Zero();
     for (Window& window : windows)
     {
-      if (!fit(window, noise)
+      if (!fit(window, noise, least)
           || window.residual > (std::min)(residual_per_noise * noise + least_residual, most_residual))
         continue;
       const double sign = window.normal.dot(previous) < 0. ? -1. : 1.;

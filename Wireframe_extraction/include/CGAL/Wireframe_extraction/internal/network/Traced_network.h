@@ -20,6 +20,7 @@
 #include <CGAL/Wireframe_extraction/internal/network/Curve_end_joiner.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_evidence.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_tracer.h>
+#include <CGAL/Wireframe_extraction/internal/network/Edge_folds.h>
 #include <CGAL/Wireframe_extraction/internal/network/Field_explanation.h>
 #include <CGAL/Wireframe_extraction/internal/network/Joint_fit.h>
 #include <CGAL/Wireframe_extraction/internal/network/Surface_evidence.h>
@@ -208,6 +209,7 @@ private:
   {
     const double least_gain = m_options.minimum_evidence;
     std::vector<double> distances = evidence.distances(network.polylines());
+    Edge_folds folds(m_surroundings, m_contraction.noise, network, progress);
     joiner.add_edges_between_nodes(
       longest_edge,
       [&](const std::vector<Vector>& edge) {
@@ -215,7 +217,11 @@ private:
           evidence.gain_of(edge, distances) - least_gain - gain_per_length * least_gain * polyline_length(edge);
         return progress.is_cancelled() ? 0. : gain;
       },
-      [&](const std::vector<Vector>& edge) { evidence.add(edge, distances); });
+      [&](const std::vector<Vector>& edge) { return folds.is_folded(edge); },
+      [&](const std::vector<Vector>& edge) {
+        evidence.add(edge, distances);
+        folds.add(edge);
+      });
   }
 
   void drop_spurs(Curve_end_joiner& joiner) const
