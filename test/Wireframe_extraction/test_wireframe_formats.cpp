@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -520,6 +521,15 @@ void test_chord_tolerance()
       !CGAL::IO::write_wireframe_polylines(stream, wireframe, parameters::chord_tolerance(bad).error_message(&error)));
     check_words(error, {"chord_tolerance", "positive"});
   }
+  // what asks for too many pieces is refused before they are made
+  const std::clock_t start = std::clock();
+  for (const double bad : {1e-17, 1e-300})
+  {
+    assert(
+      !CGAL::IO::write_wireframe_polylines(stream, wireframe, parameters::chord_tolerance(bad).error_message(&error)));
+    check_words(error, {"give a larger chord_tolerance"});
+  }
+  assert(std::clock() - start < 5 * CLOCKS_PER_SEC);
 }
 
 // an ellipse that is too flat for the format is a spline, and an arc of a whole turn is a circle

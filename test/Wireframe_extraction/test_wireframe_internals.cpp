@@ -7,7 +7,7 @@
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
 #include <CGAL/Wireframe_extraction/internal/cloud/Field_slopes.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_end_joiner.h>
-#include <CGAL/Wireframe_extraction/internal/network/Surface_evidence.h>
+#include <CGAL/Wireframe_extraction/internal/network/Fold_evidence.h>
 #include <CGAL/Wireframe_extraction/internal/skeleton/polyline_feet.h>
 #include <CGAL/Wireframe_extraction/internal/types/Primitive_curve.h>
 
@@ -159,7 +159,7 @@ Field_band folded_surface(double fold, double noise, double curvature, std::mt19
   return band;
 }
 
-void test_surface_evidence()
+void test_fold_evidence()
 {
   std::mt19937 random(2);
   const Polyline curve = straight(Vector(-10., 0., 0.), Vector(10., 0., 0.), 40);
@@ -169,7 +169,7 @@ void test_surface_evidence()
       {
         const double fold = degrees * CGAL_PI / 180.;
         const Field_band band = folded_surface(fold, noise, 0., random);
-        const Surface_evidence::Fold found = Surface_evidence(band).folds({&curve, nullptr})[0];
+        const Fold_evidence::Fold found = Fold_evidence(band).folds({&curve, nullptr})[0];
         assert(found.is_known);
         assert(found.deviation < 0.05 + 0.5 * noise);
         // the plane under the heights follows the points, which matters where the slope is steep
@@ -191,37 +191,37 @@ void test_surface_evidence()
                             + Vector(error(random), error(random), error(random)));
     }
     wall.search.build(wall.points, wall.points.size());
-    const Surface_evidence::Fold found = Surface_evidence(wall).folds({&curve})[0];
+    const Fold_evidence::Fold found = Fold_evidence(wall).folds({&curve})[0];
     assert(!found.is_known || found.slope + found.deviation > 0.15);
   }
   // a fold up and a fold down do not make a smooth surface
   for (double degrees : {45., 90.})
   {
     const Field_band band = folded_surface(degrees * CGAL_PI / 180., 0.05, 0., random, true);
-    const Surface_evidence::Fold found = Surface_evidence(band).folds({&curve})[0];
+    const Fold_evidence::Fold found = Fold_evidence(band).folds({&curve})[0];
     assert(!found.is_known || found.slope > 0.15);
   }
   // what is folded sharply is not a graph over the plane of most of its points, but never smooth either
   for (double degrees : {120., 150., 165.})
   {
     const Field_band band = folded_surface(degrees * CGAL_PI / 180., 0.02, 0., random);
-    const Surface_evidence::Fold found = Surface_evidence(band).folds({&curve})[0];
+    const Fold_evidence::Fold found = Fold_evidence(band).folds({&curve})[0];
     assert(!found.is_known || found.slope + found.deviation > 0.15);
   }
   // a cylinder is not folded; a surface that is no graph over a plane says nothing
   const Field_band cylinder = folded_surface(0., 0.02, 0.1, random);
-  const Surface_evidence::Fold found = Surface_evidence(cylinder).folds({&curve})[0];
+  const Fold_evidence::Fold found = Fold_evidence(cylinder).folds({&curve})[0];
   assert(found.is_known && found.slope < 0.1);
   Field_band cloud;
   for (int k = 0; k < 3000; ++k)
     cloud.points.push_back(random_vector(random, 11.));
   cloud.search.build(cloud.points, cloud.points.size());
-  const Surface_evidence::Fold nothing = Surface_evidence(cloud).folds({&curve})[0];
+  const Fold_evidence::Fold nothing = Fold_evidence(cloud).folds({&curve})[0];
   assert(!nothing.is_known || nothing.slope + nothing.deviation > 0.15);
   // nor does one without points
   Field_band empty;
   empty.search.build(empty.points, 0);
-  assert(!Surface_evidence(empty).folds({&curve})[0].is_known);
+  assert(!Fold_evidence(empty).folds({&curve})[0].is_known);
 }
 
 // A short edge between two others that lead away from its ends at right angles: whether the surface is folded along it
@@ -238,7 +238,7 @@ void test_fold_of_edge()
     std::vector<double> to_others;
     for (const Vector& p : band.points)
       to_others.push_back((std::min)(std::abs(p.x() - from.x()), std::abs(p.x() - to.x())));
-    return Surface_evidence(band).fold_of_edge(from, to, to_others, noise);
+    return Fold_evidence(band).fold_of_edge(from, to, to_others, noise);
   };
   static constexpr int rounds = 200;
   for (double noise : {0.01, 0.2})
@@ -249,7 +249,7 @@ void test_fold_of_edge()
       {
         flat_as_folded += found(folded_surface(0., noise, 0., random), noise, has_sheet).is_folded_beyond_doubt();
         cylinder_as_folded += found(folded_surface(0., noise, 0.1, random), noise, has_sheet).is_folded_beyond_doubt();
-        const Surface_evidence::Fold fold = found(folded_surface(CGAL_PI / 2., noise, 0., random), noise, has_sheet);
+        const Fold_evidence::Fold fold = found(folded_surface(CGAL_PI / 2., noise, 0., random), noise, has_sheet);
         folded_as_folded += fold.is_folded_beyond_doubt();
         assert(has_sheet || !fold.is_known || std::abs(fold.slope - 1.) < 0.1 + 5. * fold.deviation);
       }
@@ -260,7 +260,7 @@ void test_fold_of_edge()
   // of no points, nothing is known
   Field_band empty;
   empty.search.build(empty.points, 0);
-  assert(!Surface_evidence(empty).fold_of_edge(from, to, {}, 0.1).is_known);
+  assert(!Fold_evidence(empty).fold_of_edge(from, to, {}, 0.1).is_known);
 }
 
 // In a thin part few points are away from features, and their slopes may happen to grow with the field as those of an
@@ -386,7 +386,7 @@ int main()
   test_closed_curve_that_is_split_several_times();
   test_polyline_walk();
   test_nearest_feet();
-  test_surface_evidence();
+  test_fold_evidence();
   test_fold_of_edge();
   test_slopes_of_thin_parts();
   test_foot_derivatives();

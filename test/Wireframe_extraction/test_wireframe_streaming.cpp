@@ -263,8 +263,8 @@ Skeleton skeleton_of_source(Source& source, std::size_t points_in_memory)
   wireframe::internal::Surveyed_cloud cloud(source, points_in_memory);
   const bool is_read = cloud.survey();
   assert(is_read);
-  const Skeleton skeleton(wireframe::internal::select_skeleton(cloud, cloud.scale().sampling_distance,
-                                                               wireframe::internal::Extraction_options()),
+  const Skeleton skeleton(wireframe::internal::find_skeleton(cloud, cloud.scale().sampling_distance,
+                                                             wireframe::internal::Extraction_options()),
                           Kernel());
   assert(cloud.error().empty());
   return skeleton;

@@ -254,6 +254,7 @@ def test_folder_in_place_of_a_file(tmp_path):
     ("a.dxf", {"dxf_splines": 1}, TypeError, "dxf_splines is 1"),
     ("a.svg", {"chord_tolerance": 0.1}, ValueError, "chord_tolerance"),
     ("a.ply", {"chord_tolerance": -1.0}, ValueError, "positive"),
+    ("a.ply", {"chord_tolerance": 1e-300}, ValueError, "give a larger chord_tolerance"),
     ("a.ply", {"obj_splines": True}, ValueError, ".obj")])
 def test_arguments_without_effect(box_wireframe, name, arguments, error, text, tmp_path):
     with pytest.raises(error, match=text):

@@ -20,10 +20,10 @@
 #include <CGAL/Wireframe_extraction/internal/network/Curve_end_joiner.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_evidence.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_tracer.h>
-#include <CGAL/Wireframe_extraction/internal/network/Edge_folds.h>
 #include <CGAL/Wireframe_extraction/internal/network/Field_explanation.h>
+#include <CGAL/Wireframe_extraction/internal/network/Fold_evidence.h>
 #include <CGAL/Wireframe_extraction/internal/network/Joint_fit.h>
-#include <CGAL/Wireframe_extraction/internal/network/Surface_evidence.h>
+#include <CGAL/Wireframe_extraction/internal/network/Missing_edge_folds.h>
 #include <CGAL/Wireframe_extraction/internal/network/Tracing_options.h>
 #include <CGAL/Wireframe_extraction/internal/options/Extraction_options.h>
 #include <CGAL/Wireframe_extraction/internal/skeleton/Contraction.h>
@@ -209,7 +209,7 @@ private:
   {
     const double least_gain = m_options.minimum_evidence;
     std::vector<double> distances = evidence.distances(network.polylines());
-    Edge_folds folds(m_surroundings, m_contraction.noise, network, progress);
+    Missing_edge_folds folds(m_surroundings, m_contraction.noise, network, progress);
     joiner.add_edges_between_nodes(
       longest_edge,
       [&](const std::vector<Vector>& edge) {
@@ -234,7 +234,7 @@ private:
   // and the field alone counts.
   std::vector<char> folded(const std::vector<const std::vector<Vector>*>& polylines, Progress& progress) const
   {
-    const std::vector<Surface_evidence::Fold> folds = Surface_evidence(m_surroundings, &progress).folds(polylines);
+    const std::vector<Fold_evidence::Fold> folds = Fold_evidence(m_surroundings, &progress).folds(polylines);
     std::vector<char> keep(polylines.size());
     for (std::size_t c = 0; c < polylines.size(); ++c)
       keep[c] = polylines[c] && !folds[c].is_flat_beyond_doubt();

@@ -19,7 +19,7 @@
 #include <CGAL/Wireframe_extraction/internal/base/error_rates.h>
 #include <CGAL/Wireframe_extraction/internal/base/median.h>
 #include <CGAL/Wireframe_extraction/internal/base/polyline_tools.h>
-#include <CGAL/Wireframe_extraction/internal/network/Surface_evidence.h>
+#include <CGAL/Wireframe_extraction/internal/network/Fold_evidence.h>
 #include <CGAL/Wireframe_extraction/internal/skeleton/Field_band.h>
 #include <CGAL/Wireframe_extraction/internal/skeleton/Skeleton_data.h>
 #include <CGAL/Wireframe_extraction/internal/skeleton/polyline_feet.h>
@@ -215,8 +215,8 @@ private:
   {
     if (m_surroundings.size() == 0)
       return;
-    const std::vector<Surface_evidence::Fold> folds =
-      Surface_evidence(m_surroundings, &m_progress).folds(pointers_to(m_polylines));
+    const std::vector<Fold_evidence::Fold> folds =
+      Fold_evidence(m_surroundings, &m_progress).folds(pointers_to(m_polylines));
     for (std::size_t c = 0; c < size(); ++c)
       if (folds[c].is_flat()) // what is so beyond doubt was left out when the curves were traced
         doubt(c, Wireframe_doubt::NO_FOLD);

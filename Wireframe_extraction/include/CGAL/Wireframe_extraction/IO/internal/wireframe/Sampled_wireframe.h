@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -100,6 +101,8 @@ public:
 
 private:
   static constexpr double most_steps = 1e7; // hundreds of megabytes
+  // how many times as many the law of the errors has to ask for to be believed before they are tried
+  static constexpr double far_beyond = 4.;
 
   // fewer would fold a closed curve into a point or a segment
   template <class GeomTraits>
@@ -116,14 +119,17 @@ private:
   }
 
   // How many pieces of one length keep to the tolerance: doubled until they do, and as the error falls with the square
-  // of their number, reduced again.
+  // of their number, reduced again. Infinitely many if it will not be reached with a number that can be had.
   template <class GeomTraits>
   static double pieces_within(const Wireframe_curve<GeomTraits>& curve, double tolerance, const GeomTraits& traits)
   {
     double number = least_pieces(curve);
     double deviation = deviation_of_pieces(curve, number, traits);
     for (; deviation > tolerance && number <= most_steps; deviation = deviation_of_pieces(curve, number, traits))
-      number *= 2.;
+      if (number * std::sqrt(deviation / tolerance) > far_beyond * most_steps)
+        return (std::numeric_limits<double>::infinity)();
+      else
+        number *= 2.;
     const double fewer = (std::max)(least_pieces(curve), std::ceil(number * std::sqrt(deviation / tolerance)));
     return fewer < number && deviation_of_pieces(curve, fewer, traits) <= tolerance ? fewer : number;
   }

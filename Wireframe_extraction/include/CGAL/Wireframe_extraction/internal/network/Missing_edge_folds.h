@@ -9,14 +9,14 @@
 //
 // Author(s)     : The Wireframe_extraction authors
 
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_EDGE_FOLDS_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_EDGE_FOLDS_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_MISSING_EDGE_FOLDS_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_MISSING_EDGE_FOLDS_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Progress.h>
 #include <CGAL/Wireframe_extraction/internal/base/Vector.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_evidence.h>
 #include <CGAL/Wireframe_extraction/internal/network/Curve_network.h>
-#include <CGAL/Wireframe_extraction/internal/network/Surface_evidence.h>
+#include <CGAL/Wireframe_extraction/internal/network/Fold_evidence.h>
 
 #include <vector>
 
@@ -26,12 +26,12 @@ namespace internal {
 
 // Whether the surface is folded along straight edges that a network lacks. What has to be known of its curves is
 // found when it is asked for the first time, which it seldom is.
-class Edge_folds
+class Missing_edge_folds
 {
   const Field_band& m_surroundings;
   const Curve_network& m_network;
   Progress& m_progress;
-  Surface_evidence m_surface;
+  Fold_evidence m_surface;
   Curve_evidence m_curves;
   bool m_is_prepared = false;
   std::vector<double> m_distances; // of the surroundings to the curves
@@ -39,7 +39,8 @@ class Edge_folds
 
 public:
   // `surroundings` may be empty: then nothing is folded
-  Edge_folds(const Field_band& surroundings, double noise_of_field, const Curve_network& network, Progress& progress)
+  Missing_edge_folds(const Field_band& surroundings, double noise_of_field, const Curve_network& network,
+                     Progress& progress)
     : m_surroundings(surroundings), m_network(network), m_progress(progress), m_surface(surroundings, &progress),
       m_curves(surroundings, noise_of_field, &progress)
   {}
@@ -71,4 +72,4 @@ public:
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_EDGE_FOLDS_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_MISSING_EDGE_FOLDS_H

@@ -8,8 +8,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Wireframe_extraction authors
-#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SURFACE_EVIDENCE_H
-#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SURFACE_EVIDENCE_H
+#ifndef CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_FOLD_EVIDENCE_H
+#define CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_FOLD_EVIDENCE_H
 
 #include <CGAL/Wireframe_extraction/internal/base/Matrix_3.h>
 #include <CGAL/Wireframe_extraction/internal/base/Progress.h>
@@ -36,7 +36,7 @@ namespace internal {
 // Tells whether the surface is folded along a curve. In windows along the curve, the points that are nearer to it than
 // to any other curve are heights over a plane: a smooth surface gives a paraboloid, a fold adds a multiple of the
 // distance to the curve. Where the field wants a curve but the surface is smooth beyond doubt, there is none.
-class Surface_evidence
+class Fold_evidence
 {
   // of the heights by x across the curve and s along it: 1, x, s, |x|, x^2, x s
   static constexpr int size = 6, slope = 3;
@@ -107,7 +107,7 @@ public:
   };
 
   // `surroundings` has points up to a distance of `reach` from all curves
-  explicit Surface_evidence(const Field_band& surroundings, Progress* progress = nullptr)
+  explicit Fold_evidence(const Field_band& surroundings, Progress* progress = nullptr)
     : m_surroundings(surroundings), m_progress(progress)
   {}
 
@@ -309,4 +309,4 @@ private:
 } // namespace Wireframe_extraction
 } // namespace CGAL
 
-#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_SURFACE_EVIDENCE_H
+#endif // CGAL_WIREFRAME_EXTRACTION_INTERNAL_NETWORK_FOLD_EVIDENCE_H
